@@ -1,0 +1,29 @@
+// Sends ArtDmx over UDP.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "protocol/dmx.h"
+
+namespace hazer::protocol {
+
+/// Sends ArtDmx to one address. Keeps a sequence of its own per Port-Address, 1..255.
+/// Throws NetworkError if the address is not an IPv4 address or the socket cannot be opened.
+class ArtNetSender {
+public:
+    ArtNetSender(const std::string& address, std::uint16_t port = 6454);
+    ~ArtNetSender();
+    ArtNetSender(const ArtNetSender&) = delete;
+    ArtNetSender& operator=(const ArtNetSender&) = delete;
+
+    /// Sends 1..512 slots (an odd count is padded with a 0, as Art-Net asks). Port-Address 0..32767.
+    void send(std::uint16_t portAddress, std::span<const std::uint8_t> slots);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace hazer::protocol

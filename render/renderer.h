@@ -1,0 +1,55 @@
+// The frame as a list of passes.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "render/image.h"
+#include "render/mesh.h"
+#include "render/scene.h"
+
+namespace hazer::render {
+
+/// Milliseconds of one pass, by the GPU's clock where it has one.
+struct PassTime {
+    std::string name;
+    double milliseconds = 0.0;
+};
+
+/// Draws scenes with the current OpenGL context, which must be 4.1 core or later and stay current. Owns all its GL names.
+/// Throws RenderError if a shader is missing or does not compile, NoGlError if the context is too old.
+class Renderer {
+public:
+    explicit Renderer(std::filesystem::path shaderFolder);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    MeshId addMesh(const Mesh& mesh);
+
+    /// Takes an sRGB RGBA picture, row 0 on top: transmission = linear RGB x alpha. The inscribed circle of the picture is the
+    /// field of the beam. Pictures of any size; they are resampled to 512 x 512.
+    GoboId addGobo(const std::uint8_t* rgba, int width, int height);
+
+    /// Draws a frame into the renderer's own targets.
+    void render(const Scene& scene, const Camera& camera, const Settings& settings);
+
+    /// Scene radiance of the last frame: cd/m^2, before bloom and tone mapping.
+    FloatImage readRadiance() const;
+
+    /// The last frame with bloom, exposure and tone mapping.
+    ByteImage readDisplay();
+
+    /// Shows the last frame in a framebuffer of the context (0: the window) of the given size.
+    void present(unsigned framebuffer, int width, int height);
+
+    /// How long each pass of a recent frame took; empty until a frame's timers have come back.
+    std::vector<PassTime> passTimes() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace hazer::render

@@ -1,0 +1,108 @@
+// What there is to draw: beams, bodies, haze, camera, exposure. Plain data, no GL, no DMX.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <vector>
+
+namespace hazer::render {
+
+/// Colours in this module are linear light with Rec. 2020 primaries and D65 white.
+using Color = glm::vec3;
+
+/// Handles given out by Renderer; -1 is none.
+using MeshId = int;
+using GoboId = int;
+
+enum class BeamEdge : std::uint8_t { kFlat, kSoft };
+
+/// One beam of light. Everything is of this moment; motion and DMX are somebody else's business.
+struct Beam {
+    glm::dvec3 lensPositionM{0.0};     ///< Centre of the lens, world.
+    glm::dmat3 worldFromBeam{1.0};     ///< Columns: image-right, image-up (+Y), and +Z; light goes along -Z. Orthonormal.
+    double lensRadiusM = 0.05;         ///< 0: a point source.
+    double beamAngleRad = 0.3;         ///< Full angle at 50 % of the peak; at most fieldAngleRad.
+    double fieldAngleRad = 0.4;        ///< Full angle at 10 % of the peak, for kFlat of the cone; (0, 3.1].
+    double fluxLm = 0.0;               ///< Luminous flux that leaves the lens without gobo; luminance of `color` is 1.
+    Color color{1.0f};                 ///< Luminance (0.2627 R + 0.6780 G + 0.0593 B) of 1 unless black.
+    BeamEdge edge = BeamEdge::kSoft;
+    GoboId gobo = -1;
+    double goboRotationRad = 0.0;      ///< Counter-clockwise, looking along the beam from the lens.
+    double focusDistanceM = 0.0;       ///< Distance from the lens where the gobo is sharp; 0: sharp everywhere.
+    bool castsShadow = true;
+};
+
+struct Material {
+    Color albedo{0.5f};           ///< Diffuse reflectance 0..1.
+    float specular = 0.04f;       ///< Specular reflectance 0..1.
+    float shininess = 32.0f;      ///< Blinn-Phong exponent, 1..1000.
+};
+
+struct MeshInstance {
+    MeshId mesh = -1;
+    glm::dmat4 worldFromMesh{1.0};
+    Material material;
+    bool castsShadow = true;
+};
+
+/// Two-lobe Henyey-Greenstein: weight * HG(forwardG) + (1 - weight) * HG(backwardG). The default is glycol haze with droplets of
+/// 0.8 um (Mie theory, see docs/rendering.md).
+struct PhaseFunction {
+    float forwardG = 0.78f;
+    float backwardG = -0.58f;
+    float forwardWeight = 0.97f;
+};
+
+struct HazeNoise {
+    float amount = 0.0f;          ///< 0: even; 1: density between 0 and 2 of the mean.
+    float scaleM = 2.5f;          ///< Size of the largest swirls.
+    glm::vec3 windMps{0.25f, 0.1f, 0.05f};
+};
+
+struct Haze {
+    float extinctionPerM = 0.01f;
+    float scatteringPerM = 0.01f;  ///< At most extinctionPerM in a physical haze.
+    PhaseFunction phase;
+    HazeNoise noise;
+};
+
+/// Even light from everywhere, on surfaces only.
+struct Ambient {
+    Color color{1.0f};
+    float illuminanceLx = 0.0f;
+};
+
+struct Scene {
+    std::vector<MeshInstance> instances;
+    std::vector<Beam> beams;
+    Haze haze;
+    Ambient ambient;
+    Color backgroundCdPerM2{0.0f};
+    double timeS = 0.0;            ///< Moves the noise.
+};
+
+struct Camera {
+    glm::dvec3 positionM{0.0, -10.0, 1.7};
+    glm::dvec3 targetM{0.0, 0.0, 1.7};
+    glm::dvec3 up{0.0, 0.0, 1.0};
+    double verticalFovRad = 0.8;
+};
+
+enum class Integrator : std::uint8_t {
+    kAngle,    ///< Gauss-Legendre over the angle at the lamp.
+    kUniform,  ///< The thesis' method: evenly spaced samples along the whole view ray.
+};
+
+struct Settings {
+    int width = 1280;
+    int height = 720;
+    float exposureEv100 = 8.0f;
+    Integrator integrator = Integrator::kAngle;
+    int samples = 0;              ///< 0: the default of the integrator (4 nodes a piece; 110 for kUniform).
+    bool shadows = true;
+    bool gobos = true;
+    bool bloom = true;            ///< Display only; never in the radiance.
+};
+
+}  // namespace hazer::render
