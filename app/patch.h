@@ -1,0 +1,55 @@
+// The patch: a show's fixtures with their GDTF read, each knowing which universe drives it.
+#pragma once
+
+#include <deque>
+#include <string_view>
+#include <vector>
+
+#include "app/show.h"
+#include "fixtures/fixture.h"
+#include "protocol/universe_store.h"
+
+namespace hazer::app {
+
+struct PatchedFixture {
+    fixtures::Fixture fixture;
+    protocol::UniverseId universe;
+};
+
+/// All fixtures of a show, in the show's order.
+class Patch {
+ public:
+    /// Reads every GDTF that the show names, each once, and holds what the show holds. Throws ShowError or
+    /// fixtures::ParseError.
+    explicit Patch(const Show& show);
+
+    std::deque<PatchedFixture>& fixtures() { return fixtures_; }
+    const std::deque<PatchedFixture>& fixtures() const { return fixtures_; }
+
+    /// Null if the show has no fixture of that name.
+    PatchedFixture* find(std::string_view name);
+
+    /// Each universe that drives a fixture, once.
+    std::vector<protocol::UniverseId> universes() const;
+
+    /// One sentence for each pair of fixtures that share a slot. They are legal, and mostly a mistake.
+    std::vector<std::string> overlaps() const;
+
+    /// Gives each fixture its universe; fixtures whose universe is not there keep what they have.
+    void decode(const protocol::UniverseSet& universes);
+
+    /// Lets all mechanics move for `dtS` >= 0 seconds.
+    void step(double dtS);
+
+    /// Puts all mechanics where they want to go.
+    void settle();
+
+ private:
+    std::deque<PatchedFixture> fixtures_;
+};
+
+/// Where the GDTF of that name is: a path relative to `showFile`, or the name of a fixture in hazer's
+/// library. Throws ShowError, which lists the library.
+std::filesystem::path resolveGdtf(const std::string& nameOrPath, const std::filesystem::path& showFile);
+
+}  // namespace hazer::app

@@ -1,0 +1,40 @@
+// The bridge from fixtures to light: what a fixture does becomes what the renderer draws. The only such
+// translation.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "fixtures/fixture.h"
+#include "render/renderer.h"
+#include "render/scene.h"
+
+namespace hazer::app {
+
+/// The beam of light that a Beam geometry sends out, with no gobo in it. Empty if it is dark.
+std::optional<render::Beam> beamFromState(const fixtures::BeamState& state);
+
+/// Where a gobo is sharp [m from the lens] for Focus1 0..1: from 2 m (0, near), even in dioptres, to 1 km (1,
+/// far).
+double focusDistanceM(double focus);
+
+/// Turns fixture states into beams and bodies. Holds the gobos and meshes that it has given to the renderer,
+/// each once. The renderer must outlive it.
+class Rig {
+ public:
+    explicit Rig(render::Renderer& renderer);
+
+    /// Adds a fixture's beams and body to the scene.
+    void append(const fixtures::FixtureState& state, render::Scene& scene);
+
+ private:
+    render::GoboId goboFor(const std::shared_ptr<const fixtures::WheelImage>& image);
+    render::MeshId meshFor(fixtures::PrimitiveType primitive);
+
+    render::Renderer& renderer_;
+    std::map<std::shared_ptr<const fixtures::WheelImage>, render::GoboId> gobos_;
+    std::map<fixtures::PrimitiveType, render::MeshId> meshes_;
+};
+
+}  // namespace hazer::app

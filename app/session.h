@@ -1,0 +1,95 @@
+// A running show: what arrives on the network becomes light, frame by frame.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/patch.h"
+#include "app/rig.h"
+#include "app/set_dressing.h"
+#include "app/show.h"
+#include "protocol/receiver.h"
+#include "protocol/universe_store.h"
+#include "render/renderer.h"
+
+namespace hazer::app {
+
+struct SessionOptions {
+    bool listen =
+        false;  ///< Bind the show's inputs. A show without any listens to Art-Net on every interface.
+    std::optional<std::uint16_t> port;  ///< Replaces the port of every input; 0 lets the system choose.
+};
+
+/// What a person may change while the show runs. It starts as the show file says.
+struct SceneControls {
+    render::Haze haze;
+    render::Ambient ambient;
+    render::Color backgroundCdPerM2{0.0f};
+    std::optional<float> specular;   ///< 0..1 for every object; empty: each has its own.
+    std::optional<float> shininess;  ///< 1..1000 for every object; empty: each has its own.
+    bool furtherObjects = true;      ///< Draw the objects that the show marks as further ones.
+};
+
+/// How long the parts of the last frame took on the CPU.
+struct FrameTimes {
+    double advanceMs = 0.0;  ///< Latch, decode, mechanics.
+    double drawMs = 0.0;     ///< Rig, scene, and handing the passes to OpenGL.
+};
+
+/// Owns everything of a show that runs. Needs a current OpenGL 4.1 context for its whole life. Throws
+/// ShowError, fixtures::ParseError, render::RenderError or protocol::NetworkError when it cannot start.
+class Session {
+ public:
+    Session(Show show, const SessionOptions& options);
+
+    const Show& show() const { return show_; }
+    Patch& patch() { return patch_; }
+    SceneControls& controls() { return controls_; }
+    render::Camera& camera() { return camera_; }
+    render::Settings& settings() { return settings_; }
+    render::Renderer& renderer() { return renderer_; }
+
+    /// Takes what has arrived as one consistent set, decodes it and lets the mechanics move for `dtS` >= 0
+    /// seconds.
+    void advance(double dtS);
+
+    /// Puts all mechanics where they want to go, as if a long time had passed.
+    void settle() { patch_.settle(); }
+
+    /// Draws the show as it stands, with camera(), controls() and settings(), into the renderer's own
+    /// targets.
+    void draw();
+
+    double timeS() const { return timeS_; }         ///< Since the start; moves the noise in the haze.
+    void setTime(double timeS) { timeS_ = timeS; }  ///< Jumps; mechanics stay where they are.
+    const FrameTimes& frameTimes() const { return frameTimes_; }
+
+    /// What all receivers together have seen; zeros if nothing listens.
+    protocol::ReceiverCounters counters() const;
+
+    /// The UDP port that the first receiver really bound; 0 if nothing listens.
+    std::uint16_t port() const;
+
+ private:
+    render::Scene scene();
+    void listen(const std::optional<std::uint16_t>& port);
+
+    Show show_;
+    Patch patch_;
+    render::Renderer renderer_;
+    Rig rig_;
+    SetDressing dressing_;
+    SceneControls controls_;
+    render::Camera camera_;
+    render::Settings settings_;
+    protocol::UniverseStore store_;
+    protocol::UniverseSet latched_;
+    std::vector<std::unique_ptr<protocol::Receiver>>
+        receivers_;  ///< After store_: their threads write into it.
+    FrameTimes frameTimes_;
+    double timeS_ = 0.0;
+};
+
+}  // namespace hazer::app

@@ -1,0 +1,110 @@
+// The show file: one TOML that names the rig, the scene, the haze, the cameras and the inputs.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/dmx.h"
+#include "render/scene.h"
+
+namespace hazer::app {
+
+/// A show that cannot be used. what() is one sentence: file, line, what is wrong, what would be right.
+class ShowError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Where the show listens.
+struct ShowInput {
+    protocol::Transport transport = protocol::Transport::kArtNet;
+    std::string address = "0.0.0.0";  ///< Local IPv4 address to bind.
+    std::uint16_t port = 6454;        ///< UDP.
+};
+
+struct ShowCamera {
+    std::string name;
+    render::Camera camera;
+};
+
+/// A fixture as it is patched, before its GDTF is read.
+struct ShowFixture {
+    std::string name;  ///< Unique in the show.
+    std::string gdtf;  ///< Name of a fixture in hazer's library, or a path relative to the show.
+    std::string mode;
+    protocol::UniverseId universe;
+    int slot = 1;  ///< 1..512: where its first channel is.
+    glm::dvec3 positionM{0.0};
+    glm::dvec3 rotationDeg{0.0};  ///< About world X, then Y, then Z.
+    std::map<std::string, double>
+        held;              ///< Attribute values that win over DMX, in the units of Fixture::hold.
+    std::size_t line = 0;  ///< In the show file, for messages about what the GDTF turns out to hold.
+};
+
+enum class ObjectShape : std::uint8_t {
+    kFloor,
+    kWall,
+    kBox,
+    kCylinder,
+    kSphere,
+    kTeapot,
+    kPerson,
+    kTruss,
+    kDeck,
+    kModel
+};
+
+/// Something that light falls on.
+struct ShowObject {
+    ObjectShape shape = ObjectShape::kBox;
+    std::string name;
+    glm::dvec3 positionM{0.0};
+    glm::dvec3 rotationDeg{0.0};  ///< About world X, then Y, then Z.
+
+    /// Edges of a box, deck, cylinder or sphere [m]. Floor and wall: width and depth or height. Truss: x is
+    /// its length, y its width. Person and teapot: z is the height. Model: a factor on each axis.
+    glm::dvec3 sizeM{1.0};
+
+    std::filesystem::path
+        modelFile;  ///< Of a kModel; relative to the folder of the show as written, absolute here.
+    render::Material material;
+    bool castsShadow = true;
+    bool isFurther = false;  ///< Hidden unless further objects are shown.
+    std::size_t line = 0;    ///< In the show file.
+};
+
+/// A whole show. Colours are linear Rec. 709 in the file and Rec. 2020 here, as the renderer has them.
+struct Show {
+    std::filesystem::path file;
+    std::string title;
+    render::Color backgroundCdPerM2{0.0f};
+    render::Haze haze;
+    render::Ambient ambient;
+    float exposureEv100 = 8.0f;
+    std::vector<ShowInput> inputs;
+    std::vector<ShowCamera> cameras;  ///< Never empty: a show without any gets one named "default".
+    std::vector<ShowFixture> fixtures;
+    std::vector<ShowObject> objects;
+
+    /// The camera of that name. Throws ShowError, which lists the names there are.
+    const ShowCamera& camera(std::string_view name) const;
+};
+
+/// Parses the text of a show. `file` is used in messages and to resolve relative paths; nothing is opened.
+/// Throws ShowError.
+Show parseShow(std::string_view text, const std::filesystem::path& file);
+
+/// Reads a show of at most 16 MiB. Throws ShowError.
+Show loadShow(const std::filesystem::path& file);
+
+/// The pose of something that stands at `positionM`, turned by `rotationDeg` about world X, then Y, then Z.
+glm::dmat4 worldFromPlaced(const glm::dvec3& positionM, const glm::dvec3& rotationDeg);
+
+}  // namespace hazer::app
