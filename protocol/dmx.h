@@ -21,7 +21,8 @@ using TimePoint = Clock::time_point;
 
 enum class Transport : std::uint8_t { kArtNet, kSacn, kUsb };
 
-/// A universe under the name its network gives it: an Art-Net Port-Address 0..32767, or an sACN universe 1..63999.
+/// A universe under the name its network gives it: an Art-Net Port-Address 0..32767, or an sACN
+/// universe 1..63999.
 struct UniverseId {
     Transport transport = Transport::kArtNet;
     std::uint16_t number = 0;

@@ -7,7 +7,7 @@ namespace hazer::protocol {
 
 /// what() is one sentence with the address and port, the system's reason, and what to do about it.
 class NetworkError : public std::runtime_error {
-public:
+ public:
     using std::runtime_error::runtime_error;
 };
 

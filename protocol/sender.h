@@ -9,19 +9,21 @@
 
 namespace hazer::protocol {
 
-/// Sends ArtDmx to one address. Keeps a sequence of its own per Port-Address, 1..255.
-/// Throws NetworkError if the address is not an IPv4 address or the socket cannot be opened.
+/// Sends ArtDmx to one address. Keeps a sequence of its own per Port-Address, 1..255. Not thread-safe.
 class ArtNetSender {
-public:
+ public:
+    /// Throws NetworkError if the address is not an IPv4 address or the socket cannot be opened. Broadcast
+    /// addresses are allowed; port 1..65535.
     ArtNetSender(const std::string& address, std::uint16_t port = 6454);
     ~ArtNetSender();
     ArtNetSender(const ArtNetSender&) = delete;
     ArtNetSender& operator=(const ArtNetSender&) = delete;
 
     /// Sends 1..512 slots (an odd count is padded with a 0, as Art-Net asks). Port-Address 0..32767.
+    /// Throws NetworkError if the system cannot send there, as when no network leads to the address.
     void send(std::uint16_t portAddress, std::span<const std::uint8_t> slots);
 
-private:
+ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
