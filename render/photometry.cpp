@@ -1,0 +1,61 @@
+#include "render/photometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/glsl_as_cpp.h"
+
+namespace hazer::render {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kRadPerDeg = kPi / 180.0;
+// Above this the super-Gaussian is a flat top with a steep edge for every purpose (volumetric optics 7.1: "cap at ~12").
+constexpr double kMaxExponent = 12.0;
+constexpr double kMinExponent = 1.0;
+
+/// Solid angle weighted by the profile [sr]: flux = peak * this. Simpson's rule; the profile is smooth.
+double profileSolidAngle(const BeamShape& shape) {
+    if (shape.exponent == 0.0) {
+        const double s = std::sin(0.5 * shape.cutHalfAngleRad);
+        return 4.0 * kPi * s * s;
+    }
+    constexpr int kIntervals = 2000;
+    const double step = shape.cutHalfAngleRad / kIntervals;
+    double sum = 0.0;
+    for (int i = 0; i <= kIntervals; ++i) {
+        const double psi = i * step;
+        const double weight = i == 0 || i == kIntervals ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
+        sum += weight * relativeIntensity(shape, psi) * std::sin(psi);
+    }
+    return 2.0 * kPi * sum * step / 3.0;
+}
+
+}  // namespace
+
+double relativeIntensity(const BeamShape& shape, double psiRad) {
+    if (psiRad >= shape.cutHalfAngleRad) return 0.0;
+    if (shape.exponent == 0.0) return 1.0;
+    return glsl::Formulas<double>().softProfile(psiRad, shape.beamHalfAngleRad, shape.exponent);
+}
+
+BeamShape beamShape(const Beam& beam) {
+    BeamShape shape;
+    const double field = std::clamp(beam.fieldAngleRad, 0.05 * kRadPerDeg, 178.0 * kRadPerDeg);
+    const double edge = std::clamp(beam.beamAngleRad, 0.02 * field, field);
+    shape.fieldHalfAngleRad = 0.5 * field;
+    shape.cutHalfAngleRad = shape.fieldHalfAngleRad;
+    shape.beamHalfAngleRad = shape.fieldHalfAngleRad;
+    if (beam.edge == BeamEdge::kSoft && edge < 0.999 * field) {
+        const double exponent = std::log(std::log(10.0) / std::log(2.0)) / std::log(field / edge);
+        shape.exponent = std::clamp(exponent, kMinExponent, kMaxExponent);
+        shape.beamHalfAngleRad = 0.5 * edge;
+        const double cut = std::pow(-std::log2(glsl::Formulas<double>().PROFILE_CUT), 1.0 / shape.exponent);
+        shape.cutHalfAngleRad = std::min(shape.beamHalfAngleRad * cut, 89.5 * kRadPerDeg);
+    }
+    shape.apexToLensM = std::max(beam.lensRadiusM, 0.0) / std::tan(shape.fieldHalfAngleRad);
+    shape.peakCd = std::max(beam.fluxLm, 0.0) / profileSolidAngle(shape);
+    return shape;
+}
+
+}  // namespace hazer::render

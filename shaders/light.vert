@@ -1,0 +1,51 @@
+#version 410 core
+// A hull around each beam: a prism frustum around the cone. Its back faces cover every pixel whose ray meets the beam, also from inside.
+#include "include/beam_input.glsl"
+layout(location = 0) in vec3 corner;  // cos and sin around the axis, 0 at the lens and 1 at the far end
+layout(location = 1) in vec4 beamRow0;
+layout(location = 2) in vec4 beamRow1;
+layout(location = 3) in vec4 beamRow2;
+layout(location = 4) in vec4 beamLight;
+layout(location = 5) in vec4 beamCone;
+layout(location = 6) in vec4 beamGobo;
+layout(location = 7) in vec4 beamShadow;
+layout(location = 8) in vec4 beamLens;
+
+uniform mat4 clipFromView;
+uniform float beamRangeM;
+uniform float circumscribe;  // 1 / cos(pi / corners): makes the prism contain the cone
+
+flat out vec4 row0;
+flat out vec4 row1;
+flat out vec4 row2;
+flat out vec4 light;
+flat out vec4 cone;
+flat out vec4 gobo;
+flat out vec4 shadow;
+flat out vec4 lens;
+
+// Beams wider than this (half angle 60 degrees) get a prism around everything within range instead.
+const float WIDE_COS = 0.5;
+
+vec3 hullCorner() {
+    if (cone.x < WIDE_COS) {
+        return vec3(corner.xy * (beamRangeM * circumscribe), beamRangeM * (1.0 - 2.0 * corner.z));
+    }
+    float axialM = mix(light.w, beamRangeM, corner.z);
+    return vec3(corner.xy * (axialM * circumscribe * cone.y / cone.x), -axialM);
+}
+
+void main() {
+    row0 = beamRow0;
+    row1 = beamRow1;
+    row2 = beamRow2;
+    light = beamLight;
+    cone = beamCone;
+    gobo = beamGobo;
+    shadow = beamShadow;
+    lens = beamLens;
+    vec3 fromCamera = hullCorner() - vec3(row0.w, row1.w, row2.w);
+    // The rotation's rows are lamp from view; its transpose goes back.
+    vec3 view = row0.xyz * fromCamera.x + row1.xyz * fromCamera.y + row2.xyz * fromCamera.z;
+    gl_Position = clipFromView * vec4(view, 1.0);
+}
