@@ -1,0 +1,199 @@
+#include "app/show.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace hazer::app {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const char* const kWholeShow = R"(
+title = "Whole"
+background = [0.1, 0.1, 0.1]
+
+[haze]
+extinction = 0.02
+scattering = 0.015
+noise = 0.4
+noise_scale = 3
+wind = [0.1, 0.2, 0.3]
+phase = {forward_g = 0.7, backward_g = -0.5, forward_weight = 0.9}
+
+[exposure]
+ev100 = 6.5
+
+[ambient]
+color = [1.0, 1.0, 1.0]
+illuminance = 2.0
+
+[[input]]
+protocol = "artnet"
+address = "127.0.0.1"
+port = 6455
+
+[[camera]]
+name = "front"
+position = [0, -10, 2]
+target = [0, 0, 2]
+fov = 40.0
+
+[[fixture]]
+name = "spot1"
+gdtf = "moving-spot"
+mode = "Standard"
+protocol = "artnet"
+universe = 3
+slot = 17
+position = [1, 2, 6]
+rotation = [180, 0, 90]
+set = {Dimmer = 1.0, Tilt = -30}
+
+[[object]]
+type = "floor"
+size = [12, 8]
+color = [0.2, 0.2, 0.2]
+specular = 0.1
+shininess = 60
+
+[[object]]
+type = "model"
+file = "chair.glb"
+further = true
+)";
+
+Show parse(const std::string& text) {
+    return parseShow(text, "folder/a.toml");
+}
+
+/// What the program would say about this show.
+std::string errorOf(const std::string& text) {
+    try {
+        parse(text);
+    } catch (const ShowError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Show, readsEverything) {
+    const Show show = parse(kWholeShow);
+    EXPECT_EQ(show.title, "Whole");
+    EXPECT_FLOAT_EQ(show.haze.scatteringPerM, 0.015f);
+    EXPECT_FLOAT_EQ(show.haze.noise.scaleM, 3.0f);
+    EXPECT_FLOAT_EQ(show.haze.phase.backwardG, -0.5f);
+    EXPECT_FLOAT_EQ(show.exposureEv100, 6.5f);
+    EXPECT_FLOAT_EQ(show.ambient.illuminanceLx, 2.0f);
+    ASSERT_EQ(show.inputs.size(), 1u);
+    EXPECT_EQ(show.inputs[0].port, 6455);
+    EXPECT_NEAR(show.camera("front").camera.verticalFovRad, glm::radians(40.0), 1e-12);
+    ASSERT_EQ(show.fixtures.size(), 1u);
+    EXPECT_EQ(show.fixtures[0].universe.number, 3);
+    EXPECT_EQ(show.fixtures[0].held.at("Tilt"), -30.0);
+    ASSERT_EQ(show.objects.size(), 2u);
+    EXPECT_FALSE(show.objects[0].castsShadow) << "a floor casts no shadow unless asked to";
+    EXPECT_EQ(show.objects[1].modelFile, "folder/chair.glb");
+    EXPECT_TRUE(show.objects[1].isFurther);
+}
+
+TEST(Show, anEmptyFileIsAnEmptyRoomWithACamera) {
+    const Show show = parse("");
+    EXPECT_EQ(show.title, "a");
+    EXPECT_EQ(show.cameras.size(), 1u);
+    EXPECT_TRUE(show.fixtures.empty());
+}
+
+TEST(Show, scatteringIsExtinctionUnlessGiven) {
+    EXPECT_FLOAT_EQ(parse("[haze]\nextinction = 0.03").haze.scatteringPerM, 0.03f);
+}
+
+TEST(Show, namesTheNearestKey) {
+    const std::string error = errorOf("\n[haze]\nextinctoin = 0.02");
+    EXPECT_THAT(error, StartsWith("folder/a.toml:3: unknown key 'extinctoin' in [haze]."));
+    EXPECT_THAT(error, HasSubstr("Did you mean 'extinction'?"));
+}
+
+TEST(Show, namesFileAndLineOfBrokenToml) {
+    EXPECT_THAT(errorOf("title = \"a\"\nbackground = [1, 2"), StartsWith("folder/a.toml:2: "));
+}
+
+TEST(Show, listsTheTypesOfObjects) {
+    EXPECT_THAT(errorOf("[[object]]\ntype = \"teapod\""), HasSubstr("Did you mean 'teapot'?"));
+}
+
+TEST(Show, refusesNumbersOutOfRange) {
+    EXPECT_THAT(errorOf("[haze]\nnoise = 1.5"), HasSubstr("'noise' in [haze] is 1.5, which must be 0 to 1"));
+    EXPECT_THAT(errorOf("[haze]\nextinction = nan"), HasSubstr("must be 0 to 10"));
+    EXPECT_THAT(errorOf("[exposure]\nev100 = \"8\""), HasSubstr("must be a number"));
+    EXPECT_THAT(errorOf("background = [1, 2]"), HasSubstr("must be a list of three numbers"));
+    EXPECT_THAT(errorOf("[[object]]\ntype = \"box\"\nsize = [1, 0, 1]"), HasSubstr("above 0 along y"));
+    EXPECT_THAT(errorOf("[[object]]\ntype = \"wall\"\nshadow = 1"), HasSubstr("must be true or false"));
+}
+
+TEST(Show, refusesAFixtureWithoutItsPatch) {
+    EXPECT_THAT(errorOf("[[fixture]]\nname = \"a\""),
+                StartsWith("folder/a.toml:1: [[fixture]] needs 'gdtf'"));
+    EXPECT_THAT(errorOf("[[fixture]]\nname=\"a\"\ngdtf=\"b\"\nmode=\"c\"\nuniverse=40000\nslot=1"),
+                HasSubstr("'universe' in [[fixture]] is 40000"));
+    EXPECT_THAT(errorOf("[[fixture]]\nname=\"a\"\ngdtf=\"b\"\nmode=\"c\"\nuniverse=0\nslot=1.5"),
+                HasSubstr("must be a whole number"));
+}
+
+TEST(Show, refusesTwoFixturesOfOneName) {
+    const std::string fixture = "[[fixture]]\nname=\"a\"\ngdtf=\"b\"\nmode=\"c\"\nuniverse=0\nslot=1\n";
+    EXPECT_THAT(errorOf(fixture + fixture), StartsWith("folder/a.toml:7: a second fixture is named 'a'"));
+}
+
+TEST(Show, refusesSingleBracketsForLists) {
+    EXPECT_THAT(errorOf("[camera]\nname = \"a\""), HasSubstr("[[camera]]"));
+}
+
+TEST(Show, listsItsCameras) {
+    try {
+        parse(kWholeShow).camera("frond");
+        FAIL();
+    } catch (const ShowError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("Did you mean 'front'?"));
+    }
+}
+
+TEST(Show, survivesEveryTruncation) {
+    const std::string whole = kWholeShow;
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        const std::string error = errorOf(whole.substr(0, size));
+        EXPECT_TRUE(error == "no error" || error.starts_with("folder/a.toml:")) << error;
+    }
+}
+
+TEST(Show, survivesGarbage) {
+    std::mt19937 random(1);
+    std::uniform_int_distribution<int> byte(0, 255);
+    for (int round = 0; round < 200; ++round) {
+        std::string garbage(512, '\0');
+        for (char& letter : garbage) letter = static_cast<char>(byte(random));
+        EXPECT_THAT(errorOf(garbage), StartsWith("folder/a.toml:"));
+    }
+}
+
+TEST(Show, missingFileIsOneSentence) {
+    try {
+        loadShow("/nowhere/a.toml");
+        FAIL();
+    } catch (const ShowError& error) {
+        EXPECT_THAT(error.what(), StartsWith("/nowhere/a.toml: the show cannot be read"));
+    }
+}
+
+TEST(WorldFromPlaced, turnsAboutXThenYThenZ) {
+    // Local -Z: X by 90 degrees carries it to +Y, then Z by 90 degrees to -X.
+    const glm::dmat4 world = worldFromPlaced({1.0, 2.0, 3.0}, {90.0, 0.0, 90.0});
+    const glm::dvec3 direction = glm::dvec3(world * glm::dvec4(0.0, 0.0, -1.0, 0.0));
+    EXPECT_NEAR(glm::distance(direction, glm::dvec3(-1.0, 0.0, 0.0)), 0.0, 1e-12);
+    EXPECT_EQ(glm::dvec3(world[3]), glm::dvec3(1.0, 2.0, 3.0));
+}
+
+}  // namespace
+}  // namespace hazer::app
