@@ -1,0 +1,46 @@
+# Plants includes in a small tree, and expects check_includes.cmake to refuse each forbidden one and no other.
+#   cmake -D WORK=<scratch folder> -P tests/check_includes_test.cmake
+cmake_minimum_required(VERSION 3.25)
+
+# Runs the check over a tree that holds one file with one line, and compares its verdict.
+function(expect verdict file line)
+    file(REMOVE_RECURSE "${WORK}")
+    file(WRITE "${WORK}/${file}" "// A planted file.\n${line}\n")
+    execute_process(COMMAND "${CMAKE_COMMAND}" -D "ROOT=${WORK}" -P "${CMAKE_CURRENT_LIST_DIR}/check_includes.cmake"
+        RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE errors)
+    if(status EQUAL 0)
+        set(seen allowed)
+    elseif(errors MATCHES "includes against the architecture")
+        set(seen refused)
+    else()
+        set(seen "broken: ${errors}")
+    endif()
+    if(NOT seen STREQUAL verdict)
+        message(SEND_ERROR "${file} with '${line}' should be ${verdict}, but is ${seen}")
+    endif()
+endfunction()
+
+expect(refused protocol/artnet.cpp "#include \"fixtures/fixture.h\"")
+expect(refused protocol/artnet.h "#include <render/scene.h>")
+expect(refused protocol/artnet.cpp "#include \"app/show.h\"")
+expect(refused fixtures/gdtf.cpp "#include \"protocol/dmx.h\"")
+expect(refused fixtures/deep/gdtf.cpp "  #  include \"render/scene.h\"")
+expect(refused render/renderer.cpp "#include \"fixtures/fixture.h\"")
+expect(refused render/gl/handle.h "#include \"protocol/dmx.h\"")
+expect(refused render/passes/beam_pass.cpp "#include \"app/rig.h\"")
+expect(refused render/passes/beam_pass.cpp "#include \"../../fixtures/fixture.h\"")
+expect(refused shaders/beam.frag "#include \"render/scene.h\"")
+expect(refused app/main.cpp "#include \"tests/support/gl_fixture.h\"")
+expect(refused app/main.cpp "#include \"shaders/include/phase.glsl\"")
+
+expect(allowed app/rig.cpp "#include \"render/scene.h\"")
+expect(allowed app/panels/patch.cpp "#include \"fixtures/fixture.h\"")
+expect(allowed protocol/artnet.cpp "#include \"protocol/dmx.h\"")
+expect(allowed protocol/artnet.cpp "#include <asio.hpp>")
+expect(allowed protocol/artnet.cpp "// #include \"render/scene.h\"")
+expect(allowed shaders/beam.frag "#include \"include/phase.glsl\"")
+expect(allowed render/glsl_as_cpp.h "#include \"shaders/include/phase.glsl\"")
+expect(allowed tests/shaders/phase_test.cpp "#include \"shaders/include/phase.glsl\"")
+expect(allowed tests/app/rig_test.cpp "#include \"app/rig.h\"")
+
+file(REMOVE_RECURSE "${WORK}")

@@ -1,0 +1,38 @@
+# Checks of the sources and of what is built from them, as ctest tests. A check that says no when it should is tested, too.
+
+# Adds a test that runs a CMake script with the given -D settings.
+function(hazer_add_check name script)
+    list(TRANSFORM ARGN PREPEND "-D" OUTPUT_VARIABLE settings)
+    add_test(NAME "${name}"
+        COMMAND "${CMAKE_COMMAND}" ${settings} -P "${CMAKE_CURRENT_SOURCE_DIR}/${script}")
+    set_tests_properties("${name}" PROPERTIES LABELS unit TIMEOUT 120)
+endfunction()
+
+# The same, for a check that is given something wrong and must name it.
+function(hazer_add_refusal name script expected)
+    hazer_add_check(${name} ${script} ${ARGN})
+    set_tests_properties("${name}" PROPERTIES PASS_REGULAR_EXPRESSION "${expected}")
+endfunction()
+
+hazer_add_check(include_arrows check_includes.cmake "ROOT=${PROJECT_SOURCE_DIR}")
+hazer_add_check(include_arrows_refuses check_includes_test.cmake "WORK=${CMAKE_CURRENT_BINARY_DIR}/planted_includes")
+
+find_program(CLANG_FORMAT clang-format REQUIRED)
+hazer_add_check(format check_format.cmake "ROOT=${PROJECT_SOURCE_DIR}" "CLANG_FORMAT=${CLANG_FORMAT}")
+
+find_file(GL_CORE_HEADER GL/glcorearb.h REQUIRED)
+add_library(newer_gl_calls OBJECT support/newer_gl_calls.cpp)
+target_link_libraries(newer_gl_calls PRIVATE hazer_options)
+hazer_add_check(gl_floor_calls check_gl_floor_calls.cmake
+    "LIBRARY=$<TARGET_FILE:hazer_render>" "NM=${CMAKE_NM}" "HEADER=${GL_CORE_HEADER}")
+hazer_add_refusal(gl_floor_calls_refuses check_gl_floor_calls.cmake "newer than OpenGL 4.1: gl[a-zA-Z]+, gl[a-zA-Z]+"
+    "LIBRARY=$<TARGET_OBJECTS:newer_gl_calls>" "NM=${CMAKE_NM}" "HEADER=${GL_CORE_HEADER}")
+
+find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+add_executable(expand_shader support/expand_shader.cpp)
+target_link_libraries(expand_shader PRIVATE hazer_render)
+hazer_add_check(gl_floor_shaders check_gl_floor_shaders.cmake
+    "SHADERS=${PROJECT_SOURCE_DIR}/shaders" "EXPAND=$<TARGET_FILE:expand_shader>" "VALIDATOR=${GLSLANG_VALIDATOR}")
+hazer_add_refusal(gl_floor_shaders_refuses check_gl_floor_shaders.cmake "binding.*not supported"
+    "SHADERS=${CMAKE_CURRENT_SOURCE_DIR}/support/newer_glsl" "EXPAND=$<TARGET_FILE:expand_shader>"
+    "VALIDATOR=${GLSLANG_VALIDATOR}")
