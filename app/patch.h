@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,11 +17,13 @@ struct PatchedFixture {
     protocol::UniverseId universe;
 };
 
+/// Names of the attributes that a fixture's mode has, for messages.
+std::vector<std::string> attributeNames(const fixtures::Fixture& fixture);
+
 /// All fixtures of a show, in the show's order.
 class Patch {
  public:
-    /// Reads every GDTF that the show names, each once, and holds what the show holds. Throws ShowError or
-    /// fixtures::ParseError.
+    /// Reads every GDTF that the show names, each once, and holds what the show holds. Throws ShowError.
     explicit Patch(const Show& show);
 
     std::deque<PatchedFixture>& fixtures() { return fixtures_; }
@@ -28,6 +31,8 @@ class Patch {
 
     /// Null if the show has no fixture of that name.
     PatchedFixture* find(std::string_view name);
+
+    std::vector<std::string> fixtureNames() const;
 
     /// Each universe that drives a fixture, once.
     std::vector<protocol::UniverseId> universes() const;
@@ -47,9 +52,5 @@ class Patch {
  private:
     std::deque<PatchedFixture> fixtures_;
 };
-
-/// Where the GDTF of that name is: a path relative to `showFile`, or the name of a fixture in hazer's
-/// library. Throws ShowError, which lists the library.
-std::filesystem::path resolveGdtf(const std::string& nameOrPath, const std::filesystem::path& showFile);
 
 }  // namespace hazer::app

@@ -5,8 +5,9 @@
 
 namespace hazer::app {
 
-/// The folder that holds shaders/, fixtures/library/ and app/shows/: $HAZER_DATA if set, else share/hazer beside the installed
-/// program, else the source tree this program was built from. Throws std::runtime_error with what to do if there is none.
+/// The folder that holds shaders/, fixtures/library/ and app/shows/: $HAZER_DATA if set, else share/hazer
+/// beside the installed program, else the source tree this program was built from. Throws std::runtime_error
+/// with what to do if there is none.
 std::filesystem::path dataFolder();
 
 std::filesystem::path shaderFolder();

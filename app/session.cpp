@@ -1,0 +1,116 @@
+#include "app/session.h"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <utility>
+
+#include "app/paths.h"
+
+namespace hazer::app {
+namespace {
+
+double millisecondsSince(protocol::TimePoint start) {
+    return std::chrono::duration<double, std::milli>(protocol::Clock::now() - start).count();
+}
+
+/// The Port-Addresses that desks should send us: those of our fixtures.
+std::vector<std::uint16_t> portAddressesOf(const Patch& patch) {
+    std::vector<std::uint16_t> portAddresses;
+    for (const protocol::UniverseId& universe : patch.universes()) {
+        if (universe.transport == protocol::Transport::kArtNet) portAddresses.push_back(universe.number);
+    }
+    return portAddresses;
+}
+
+SceneControls controlsOf(const Show& show) {
+    SceneControls controls;
+    controls.haze = show.haze;
+    controls.ambient = show.ambient;
+    controls.backgroundCdPerM2 = show.backgroundCdPerM2;
+    return controls;
+}
+
+render::Settings settingsOf(const Show& show) {
+    render::Settings settings;
+    settings.exposureEv100 = show.exposureEv100;
+    return settings;
+}
+
+}  // namespace
+
+Session::Session(Show show, const SessionOptions& options)
+    : show_(std::move(show)),
+      patch_(show_),
+      renderer_(shaderFolder()),
+      rig_(renderer_),
+      dressing_(dressSet(show_, renderer_)),
+      controls_(controlsOf(show_)),
+      camera_(show_.cameras.front().camera),
+      settings_(settingsOf(show_)) {
+    for (const std::string& overlap : patch_.overlaps()) spdlog::warn("{}: {}", show_.file.string(), overlap);
+    patch_.settle();
+    if (options.listen) listen(options.port);
+}
+
+void Session::listen(const std::optional<std::uint16_t>& port) {
+    std::vector<ShowInput> inputs = show_.inputs;
+    if (inputs.empty()) inputs.emplace_back();
+    for (const ShowInput& input : inputs) {
+        protocol::ReceiverConfig config;
+        config.address = input.address;
+        config.port = port.value_or(input.port);
+        config.portAddresses = portAddressesOf(patch_);
+        receivers_.push_back(std::make_unique<protocol::Receiver>(config, store_));
+    }
+}
+
+void Session::advance(double dtS) {
+    const protocol::TimePoint start = protocol::Clock::now();
+    store_.latch(latched_);
+    patch_.decode(latched_);
+    patch_.step(dtS);
+    timeS_ += dtS;
+    frameTimes_.advanceMs = millisecondsSince(start);
+}
+
+void Session::draw() {
+    const protocol::TimePoint start = protocol::Clock::now();
+    renderer_.render(scene(), camera_, settings_);
+    frameTimes_.drawMs = millisecondsSince(start);
+}
+
+render::Scene Session::scene() {
+    render::Scene scene;
+    scene.haze = controls_.haze;
+    scene.ambient = controls_.ambient;
+    scene.backgroundCdPerM2 = controls_.backgroundCdPerM2;
+    scene.timeS = timeS_;
+    for (const DressedObject& object : dressing_) {
+        if (object.isFurther && !controls_.furtherObjects) continue;
+        render::MeshInstance& instance = scene.instances.emplace_back(object.instance);
+        instance.material.specular = controls_.specular.value_or(instance.material.specular);
+        instance.material.shininess = controls_.shininess.value_or(instance.material.shininess);
+    }
+    for (const PatchedFixture& patched : patch_.fixtures()) rig_.append(patched.fixture.state(), scene);
+    return scene;
+}
+
+protocol::ReceiverCounters Session::counters() const {
+    protocol::ReceiverCounters sum;
+    for (const auto& receiver : receivers_) {
+        const protocol::ReceiverCounters one = receiver->counters();
+        sum.dmx += one.dmx;
+        sum.late += one.late;
+        sum.polls += one.polls;
+        sum.ignored += one.ignored;
+        sum.malformed += one.malformed;
+    }
+    return sum;
+}
+
+std::uint16_t Session::port() const {
+    return receivers_.empty() ? std::uint16_t{0} : receivers_.front()->port();
+}
+
+}  // namespace hazer::app
