@@ -1,4 +1,5 @@
-// Calls functions of OpenGL 4.3 and 4.5 unguarded, for the check of the OpenGL floor to refuse. Compiled, never run.
+// Calls functions of OpenGL 4.3 and 4.5 unguarded, for the check of the OpenGL floor to refuse. Compiled,
+// never run.
 #include <epoxy/gl.h>
 
 void callNewerGl() {
