@@ -70,12 +70,12 @@ using ArtPollReplyBytes = std::array<std::uint8_t, kArtPollReplySize>;
 /// prefers.
 struct ArtPollReply {
     Ipv4Address ownAddress{};  ///< Our address on the network of the desk.
-    std::optional<std::uint16_t>
-        portAddress;              ///< The Port-Address we ask for, 0..32767. Absent: a node without ports.
-    std::uint8_t bindIndex = 1;   ///< 1 for the first reply of a node, then 2, 3 ...
-    std::string_view shortName;   ///< At most 17 characters reach the wire.
-    std::string_view longName;    ///< At most 63 characters reach the wire.
-    std::string_view nodeReport;  ///< "#xxxx [yyyy] text". At most 63 characters reach the wire.
+    /// The Port-Address we ask for, 0..32767. Absent: a node without ports.
+    std::optional<std::uint16_t> portAddress{};
+    std::uint8_t bindIndex = 1;     ///< 1 for the first reply of a node, then 2, 3 ...
+    std::string_view shortName{};   ///< At most 17 characters reach the wire.
+    std::string_view longName{};    ///< At most 63 characters reach the wire.
+    std::string_view nodeReport{};  ///< "#xxxx [yyyy] text". At most 63 characters reach the wire.
 };
 
 /// An ArtPollReply datagram of a visualizer that turns Art-Net into light.

@@ -9,9 +9,8 @@ namespace hazer::protocol {
 ArtNetNode::ArtNetNode(ArtNetNodeConfig config, UniverseStore& store)
     : config_(std::move(config)), store_(store), random_(config_.randomSeed) {
     auto& addresses = config_.portAddresses;
-    std::ranges::sort(addresses);
-    const auto repeated = std::ranges::unique(addresses);
-    addresses.erase(repeated.begin(), repeated.end());
+    std::sort(addresses.begin(), addresses.end());
+    addresses.erase(std::unique(addresses.begin(), addresses.end()), addresses.end());
 }
 
 void ArtNetNode::receive(std::span<const std::uint8_t> datagram, Endpoint from, TimePoint now) {

@@ -17,10 +17,10 @@
 namespace hazer::protocol {
 
 struct ArtNetNodeConfig {
-    std::vector<std::uint16_t>
-        portAddresses;      ///< 0..32767 each, those we ask desks for. Repeated ones count once.
-    std::string shortName;  ///< At most 17 characters reach the wire.
-    std::string longName;   ///< At most 63 characters reach the wire.
+    /// 0..32767 each, those we ask desks for. Repeated ones count once.
+    std::vector<std::uint16_t> portAddresses{};
+    std::string shortName{};                         ///< At most 17 characters reach the wire.
+    std::string longName{};                          ///< At most 63 characters reach the wire.
     std::chrono::milliseconds maxPollReplyDelay{0};  ///< Replies wait a random time up to this.
     std::uint32_t randomSeed = 0;  ///< Of that time. Nodes on one network should differ in it.
 };
@@ -72,7 +72,7 @@ class ArtNetNode {
     UniverseStore& store_;
     SequenceTable sequences_;
     std::vector<PendingReply> pending_;
-    std::minstd_rand random_;
+    std::mt19937 random_;
     std::uint32_t replyCount_ = 0;
     ReceiverCounters counters_;
 };

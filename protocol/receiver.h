@@ -12,10 +12,11 @@
 namespace hazer::protocol {
 
 struct ReceiverConfig {
-    std::string address = "0.0.0.0";           ///< Local IPv4 address to bind. 0.0.0.0 hears broadcasts too.
-    std::uint16_t port = 6454;                 ///< UDP port; 0 lets the system choose (see Receiver::port).
-    std::vector<std::uint16_t> portAddresses;  ///< Port-Addresses 0..32767 we ask desks for in ArtPollReply.
-    std::string shortName = "hazer";           ///< At most 17 characters reach the wire.
+    std::string address = "0.0.0.0";  ///< Local IPv4 address to bind. 0.0.0.0 hears broadcasts too.
+    std::uint16_t port = 6454;        ///< UDP port; 0 lets the system choose (see Receiver::port).
+    /// Port-Addresses 0..32767 we ask desks for in ArtPollReply.
+    std::vector<std::uint16_t> portAddresses{};
+    std::string shortName = "hazer";                           ///< At most 17 characters reach the wire.
     std::string longName = "hazer stage-lighting visualizer";  ///< At most 63 characters reach the wire.
     /// Replies to desks wait a random time from 0 up to this, as Art-Net 4 asks. 0 in tests.
     std::chrono::milliseconds maxPollReplyDelay{1000};
