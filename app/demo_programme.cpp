@@ -15,7 +15,7 @@ constexpr double kBeatS = 0.5;
 constexpr double kBarS = 4.0 * kBeatS;
 
 /// How long a section takes to become the next one [s]. The new look is complete on its downbeat.
-constexpr double kCrossfadeS = 1.0;
+constexpr double kCrossfadeS = 1.5;
 
 // Slots of the colour wheel that the moving spot and the moving beam share.
 constexpr int kOpen = 1;
