@@ -11,10 +11,11 @@
 namespace hazer::render::glsl {
 
 // GLSL's built-ins under their own names.
-using glm::abs, glm::atan, glm::cross, glm::dot, glm::exp, glm::exp2, glm::length, glm::max, glm::min, glm::normalize, glm::pow,
-    glm::sqrt;
+using glm::abs, glm::atan, glm::cross, glm::dot, glm::exp, glm::exp2, glm::length, glm::max, glm::min,
+    glm::normalize, glm::pow, glm::sqrt;
 
-/// The shared formulas as members, in float or double. Members, so that what a program does not use costs nothing.
+/// The shared formulas as members, in float or double. Members, so that what a program does not use costs
+/// nothing.
 template <typename Scalar>
 struct Formulas {
     using Real = Scalar;

@@ -27,12 +27,12 @@ struct BoundingSphere {
 BoundingSphere boundingSphere(const Mesh& mesh);
 
 /// Shapes that come with hazer. Unit sizes are meant to be scaled by the instance.
-Mesh makeBox();                    ///< Edge 1, centred.
-Mesh makeCylinder();               ///< Diameter 1, height 1, along Z, centred.
-Mesh makeSphere();                 ///< Diameter 1, centred.
-Mesh makePlane();                  ///< 1 x 1 in the XY plane, normal +Z, centred.
-Mesh makeTeapot();                 ///< Utah teapot, 1 m high, standing on z = 0, spout towards +X.
-Mesh makePerson();                 ///< A standing figure 1.75 m high, feet on z = 0, facing -Y.
+Mesh makeBox();       ///< Edge 1, centred.
+Mesh makeCylinder();  ///< Diameter 1, height 1, along Z, centred.
+Mesh makeSphere();    ///< Diameter 1, centred.
+Mesh makePlane();     ///< 1 x 1 in the XY plane, normal +Z, centred.
+Mesh makeTeapot();    ///< Utah teapot, 1 m high, standing on z = 0, spout towards +X.
+Mesh makePerson();    ///< A standing figure 1.75 m high, feet on z = 0, facing -Y.
 /// Box truss of `lengthM` along X, centred: four chords and lacing, `widthM` wide and high.
 Mesh makeTruss(double lengthM, double widthM);
 

@@ -1,4 +1,5 @@
-// Lumens, candelas and the shape of a beam, on the CPU. Angles are half angles in radians unless they say otherwise.
+// Lumens, candelas and the shape of a beam, on the CPU. Angles are half angles in radians unless they say
+// otherwise.
 #pragma once
 
 #include "render/scene.h"
@@ -7,16 +8,18 @@ namespace hazer::render {
 
 /// A beam's profile as the shaders take it. Angles are seen from the virtual apex.
 struct BeamShape {
-    double beamHalfAngleRad = 0.0;  ///< 50 % of the peak; equals cutHalfAngleRad where the profile is flat.
-    double fieldHalfAngleRad = 0.0; ///< 10 % of the peak; the edge of a gobo.
-    double cutHalfAngleRad = 0.0;   ///< Nothing beyond; below 89.5 degrees.
-    double exponent = 0.0;          ///< Of the super-Gaussian, 2..12; 0: flat.
-    double apexToLensM = 0.0;       ///< The virtual apex lies this far behind the lens: the cone is as wide as the lens there.
-    double peakCd = 0.0;            ///< On the axis, as seen from the virtual apex.
+    double beamHalfAngleRad = 0.0;   ///< 50 % of the peak; equals cutHalfAngleRad where the profile is flat.
+    double fieldHalfAngleRad = 0.0;  ///< 10 % of the peak; the edge of a gobo.
+    double cutHalfAngleRad = 0.0;    ///< Nothing beyond; below 89.5 degrees.
+    double exponent = 0.0;           ///< Of the super-Gaussian, 2..12; 0: flat.
+    double apexToLensM =
+        0.0;  ///< The virtual apex lies this far behind the lens: the cone is as wide as the lens there.
+    double peakCd = 0.0;  ///< On the axis, as seen from the virtual apex.
 };
 
-/// Derives the shape from a beam's angles, lens and flux. The integral of intensity over the sphere is the flux.
-/// Angles out of range are clamped: field angle to 0.05..178 degrees, beam angle to at most the field angle.
+/// Derives the shape from a beam's angles, lens and flux. The integral of intensity over the sphere is the
+/// flux. Angles out of range are clamped: field angle to 0.05..178 degrees, beam angle to at most the field
+/// angle.
 BeamShape beamShape(const Beam& beam);
 
 /// Intensity at `psiRad` from the axis relative to the peak, by the shaders' own formula.

@@ -17,10 +17,11 @@ struct PassTime {
     double milliseconds = 0.0;
 };
 
-/// Draws scenes with the current OpenGL context, which must be 4.1 core or later and stay current. Owns all its GL names.
-/// Throws RenderError if a shader is missing or does not compile, NoGlError if the context is too old.
+/// Draws scenes with the current OpenGL context, which must be 4.1 core or later and stay current. Owns all
+/// its GL names. Throws RenderError if a shader is missing or does not compile, NoGlError if the context is
+/// too old.
 class Renderer {
-public:
+ public:
     explicit Renderer(std::filesystem::path shaderFolder);
     ~Renderer();
     Renderer(const Renderer&) = delete;
@@ -28,8 +29,8 @@ public:
 
     MeshId addMesh(const Mesh& mesh);
 
-    /// Takes an sRGB RGBA picture, row 0 on top: transmission = linear RGB x alpha. The inscribed circle of the picture is the
-    /// field of the beam. Pictures of any size; they are resampled to 512 x 512.
+    /// Takes an sRGB RGBA picture, row 0 on top: transmission = linear RGB x alpha. The inscribed circle of
+    /// the picture is the field of the beam. Pictures of any size; they are resampled to 512 x 512.
     GoboId addGobo(const std::uint8_t* rgba, int width, int height);
 
     /// Draws a frame into the renderer's own targets.
@@ -47,7 +48,7 @@ public:
     /// How long each pass of a recent frame took; empty until a frame's timers have come back.
     std::vector<PassTime> passTimes() const;
 
-private:
+ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

@@ -19,24 +19,25 @@ enum class BeamEdge : std::uint8_t { kFlat, kSoft };
 
 /// One beam of light. Everything is of this moment; motion and DMX are somebody else's business.
 struct Beam {
-    glm::dvec3 lensPositionM{0.0};     ///< Centre of the lens, world.
-    glm::dmat3 worldFromBeam{1.0};     ///< Columns: image-right, image-up (+Y), and +Z; light goes along -Z. Orthonormal.
-    double lensRadiusM = 0.05;         ///< 0: a point source.
-    double beamAngleRad = 0.3;         ///< Full angle at 50 % of the peak; at most fieldAngleRad.
-    double fieldAngleRad = 0.4;        ///< Full angle at 10 % of the peak, for kFlat of the cone; (0, 3.1].
-    double fluxLm = 0.0;               ///< Luminous flux that leaves the lens without gobo; luminance of `color` is 1.
-    Color color{1.0f};                 ///< Luminance (0.2627 R + 0.6780 G + 0.0593 B) of 1 unless black.
+    glm::dvec3 lensPositionM{0.0};  ///< Centre of the lens, world.
+    glm::dmat3 worldFromBeam{
+        1.0};  ///< Columns: image-right, image-up (+Y), and +Z; light goes along -Z. Orthonormal.
+    double lensRadiusM = 0.05;   ///< 0: a point source.
+    double beamAngleRad = 0.3;   ///< Full angle at 50 % of the peak; at most fieldAngleRad.
+    double fieldAngleRad = 0.4;  ///< Full angle at 10 % of the peak, for kFlat of the cone; (0, 3.1].
+    double fluxLm = 0.0;  ///< Luminous flux that leaves the lens without gobo; luminance of `color` is 1.
+    Color color{1.0f};    ///< Luminance (0.2627 R + 0.6780 G + 0.0593 B) of 1 unless black.
     BeamEdge edge = BeamEdge::kSoft;
     GoboId gobo = -1;
-    double goboRotationRad = 0.0;      ///< Counter-clockwise, looking along the beam from the lens.
-    double focusDistanceM = 0.0;       ///< Distance from the lens where the gobo is sharp; 0: sharp everywhere.
+    double goboRotationRad = 0.0;  ///< Counter-clockwise, looking along the beam from the lens.
+    double focusDistanceM = 0.0;   ///< Distance from the lens where the gobo is sharp; 0: sharp everywhere.
     bool castsShadow = true;
 };
 
 struct Material {
-    Color albedo{0.5f};           ///< Diffuse reflectance 0..1.
-    float specular = 0.04f;       ///< Specular reflectance 0..1.
-    float shininess = 32.0f;      ///< Blinn-Phong exponent, 1..1000.
+    Color albedo{0.5f};       ///< Diffuse reflectance 0..1.
+    float specular = 0.04f;   ///< Specular reflectance 0..1.
+    float shininess = 32.0f;  ///< Blinn-Phong exponent, 1..1000.
 };
 
 struct MeshInstance {
@@ -46,8 +47,8 @@ struct MeshInstance {
     bool castsShadow = true;
 };
 
-/// Two-lobe Henyey-Greenstein: weight * HG(forwardG) + (1 - weight) * HG(backwardG). The default is glycol haze with droplets of
-/// 0.8 um (Mie theory, see docs/rendering.md).
+/// Two-lobe Henyey-Greenstein: weight * HG(forwardG) + (1 - weight) * HG(backwardG). The default is glycol
+/// haze with droplets of 0.8 um (Mie theory, see docs/rendering.md).
 struct PhaseFunction {
     float forwardG = 0.78f;
     float backwardG = -0.58f;
@@ -55,8 +56,8 @@ struct PhaseFunction {
 };
 
 struct HazeNoise {
-    float amount = 0.0f;          ///< 0: even; 1: density between 0 and 2 of the mean.
-    float scaleM = 2.5f;          ///< Size of the largest swirls.
+    float amount = 0.0f;  ///< 0: even; 1: density between 0 and 2 of the mean.
+    float scaleM = 2.5f;  ///< Size of the largest swirls.
     glm::vec3 windMps{0.25f, 0.1f, 0.05f};
 };
 
@@ -79,7 +80,7 @@ struct Scene {
     Haze haze;
     Ambient ambient;
     Color backgroundCdPerM2{0.0f};
-    double timeS = 0.0;            ///< Moves the noise.
+    double timeS = 0.0;  ///< Moves the noise.
 };
 
 struct Camera {
@@ -99,10 +100,10 @@ struct Settings {
     int height = 720;
     float exposureEv100 = 8.0f;
     Integrator integrator = Integrator::kAngle;
-    int samples = 0;              ///< 0: the default of the integrator (4 nodes a piece; 110 for kUniform).
+    int samples = 0;  ///< 0: the default of the integrator (4 nodes a piece; 110 for kUniform).
     bool shadows = true;
     bool gobos = true;
-    bool bloom = true;            ///< Display only; never in the radiance.
+    bool bloom = true;  ///< Display only; never in the radiance.
 };
 
 }  // namespace hazer::render

@@ -3,7 +3,6 @@
 uniform sampler2D source;
 uniform vec2 sourceTexel;
 uniform vec2 targetPx;
-uniform float weight;
 
 out vec4 color;
 
@@ -16,5 +15,5 @@ void main() {
             sum += tent * texture(source, uv + sourceTexel * vec2(x, y)).rgb;
         }
     }
-    color = vec4(sum * weight, 1.0);
+    color = vec4(sum, 1.0);
 }

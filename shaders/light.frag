@@ -72,7 +72,8 @@ vec3 goboAt(vec3 direction, float axialM, float footprintM) {
 float visibilityAt(vec3 pointM) {
     float axialM = max(-pointM.z, shadow.z);
     vec2 uv = 0.5 + 0.5 * shadow.y * pointM.xy / axialM;
-    float depth = shadow.w / (shadow.w - shadow.z) * (1.0 - shadow.z / axialM);
+    // Beyond the far plane there is no caster: 1 compares as lit there, and a float map does not clamp by itself.
+    float depth = min(shadow.w / (shadow.w - shadow.z) * (1.0 - shadow.z / axialM), 1.0);
     return texture(shadowMaps, vec4(uv, shadow.x, depth));
 }
 #endif

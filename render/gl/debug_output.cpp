@@ -20,7 +20,9 @@ void GLAPIENTRY onMessage(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum 
     }
 }
 
-bool hasDebug() { return epoxy_has_gl_extension("GL_KHR_debug"); }
+bool hasDebug() {
+    return epoxy_has_gl_extension("GL_KHR_debug");
+}
 
 }  // namespace
 
@@ -31,7 +33,9 @@ void enableDebugOutput() {
     glDebugMessageCallback(onMessage, nullptr);
 }
 
-int debugErrorCount() { return errorCount; }
+int debugErrorCount() {
+    return errorCount;
+}
 
 DebugGroup::DebugGroup(const char* name) {
     if (hasDebug()) glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name);

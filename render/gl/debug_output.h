@@ -3,7 +3,8 @@
 
 namespace hazer::render::gl {
 
-/// Switches the context's messages on, on the thread that causes them. Does nothing where KHR_debug is missing (it is newer than 4.1).
+/// Switches the context's messages on, on the thread that causes them. Does nothing where KHR_debug is
+/// missing (it is newer than 4.1).
 void enableDebugOutput();
 
 /// Errors the context has reported since the start of the program. Tests expect 0.
@@ -11,7 +12,7 @@ int debugErrorCount();
 
 /// Names a pass in a debugger such as RenderDoc, for as long as it lives. Costs nothing without KHR_debug.
 class DebugGroup {
-public:
+ public:
     explicit DebugGroup(const char* name);
     ~DebugGroup();
     DebugGroup(const DebugGroup&) = delete;

@@ -7,10 +7,11 @@
 
 namespace hazer::render::gl {
 
-/// Move-only owner of a GL name; a default-constructed handle owns nothing. Destroy it on the thread of its context.
+/// Move-only owner of a GL name; a default-constructed handle owns nothing. Destroy it on the thread of its
+/// context.
 template <auto Delete>
 class Handle {
-public:
+ public:
     Handle() = default;
     explicit Handle(GLuint id) noexcept : id_(id) {}
     Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
@@ -23,17 +24,31 @@ public:
     }
     GLuint id() const noexcept { return id_; }
 
-private:
+ private:
     GLuint id_ = 0;
 };
 
-inline void deleteTexture(GLuint id) { glDeleteTextures(1, &id); }
-inline void deleteBuffer(GLuint id) { glDeleteBuffers(1, &id); }
-inline void deleteVertexArray(GLuint id) { glDeleteVertexArrays(1, &id); }
-inline void deleteFramebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
-inline void deleteQuery(GLuint id) { glDeleteQueries(1, &id); }
-inline void deleteShader(GLuint id) { glDeleteShader(id); }
-inline void deleteProgram(GLuint id) { glDeleteProgram(id); }
+inline void deleteTexture(GLuint id) {
+    glDeleteTextures(1, &id);
+}
+inline void deleteBuffer(GLuint id) {
+    glDeleteBuffers(1, &id);
+}
+inline void deleteVertexArray(GLuint id) {
+    glDeleteVertexArrays(1, &id);
+}
+inline void deleteFramebuffer(GLuint id) {
+    glDeleteFramebuffers(1, &id);
+}
+inline void deleteQuery(GLuint id) {
+    glDeleteQueries(1, &id);
+}
+inline void deleteShader(GLuint id) {
+    glDeleteShader(id);
+}
+inline void deleteProgram(GLuint id) {
+    glDeleteProgram(id);
+}
 
 using Texture = Handle<deleteTexture>;
 using Buffer = Handle<deleteBuffer>;

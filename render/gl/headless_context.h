@@ -8,13 +8,13 @@ namespace hazer::render::gl {
 
 /// Makes a 4.1 core context current on this thread for its lifetime. Throws NoGlError.
 class HeadlessContext {
-public:
+ public:
     HeadlessContext();
     ~HeadlessContext();
     HeadlessContext(const HeadlessContext&) = delete;
     HeadlessContext& operator=(const HeadlessContext&) = delete;
 
-private:
+ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

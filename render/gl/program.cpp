@@ -58,11 +58,21 @@ GLint Program::location(const char* name) const {
     return locations_.emplace(name, glGetUniformLocation(program_.id(), name)).first->second;
 }
 
-void Program::set(const char* name, int value) const { glUniform1i(location(name), value); }
-void Program::set(const char* name, float value) const { glUniform1f(location(name), value); }
-void Program::set(const char* name, const glm::vec2& v) const { glUniform2f(location(name), v.x, v.y); }
-void Program::set(const char* name, const glm::vec3& v) const { glUniform3f(location(name), v.x, v.y, v.z); }
-void Program::set(const char* name, const glm::vec4& v) const { glUniform4f(location(name), v.x, v.y, v.z, v.w); }
+void Program::set(const char* name, int value) const {
+    glUniform1i(location(name), value);
+}
+void Program::set(const char* name, float value) const {
+    glUniform1f(location(name), value);
+}
+void Program::set(const char* name, const glm::vec2& v) const {
+    glUniform2f(location(name), v.x, v.y);
+}
+void Program::set(const char* name, const glm::vec3& v) const {
+    glUniform3f(location(name), v.x, v.y, v.z);
+}
+void Program::set(const char* name, const glm::vec4& v) const {
+    glUniform4f(location(name), v.x, v.y, v.z, v.w);
+}
 void Program::set(const char* name, const glm::mat3& m) const {
     glUniformMatrix3fv(location(name), 1, GL_FALSE, &m[0][0]);
 }

@@ -11,12 +11,12 @@
 
 namespace hazer::render::gl {
 
-/// Compiles and links on construction; throws RenderError with the compiler's words. Setting a uniform that the variant does not
-/// have is fine: features decide what a shader needs.
+/// Compiles and links on construction; throws RenderError with the compiler's words. Setting a uniform that
+/// the variant does not have is fine: features decide what a shader needs.
 class Program {
-public:
-    Program(const std::filesystem::path& shaderFolder, const std::string& vertexFile, const std::string& fragmentFile,
-            const std::vector<std::string>& features = {});
+ public:
+    Program(const std::filesystem::path& shaderFolder, const std::string& vertexFile,
+            const std::string& fragmentFile, const std::vector<std::string>& features = {});
 
     void use() const { glUseProgram(program_.id()); }
 
@@ -29,7 +29,7 @@ public:
     void set(const char* name, const glm::mat3& value) const;
     void set(const char* name, const glm::mat4& value) const;
 
-private:
+ private:
     GLint location(const char* name) const;
 
     ProgramHandle program_;

@@ -11,7 +11,7 @@ namespace hazer::render::gl {
 namespace {
 
 class Expander {
-public:
+ public:
     Expander(const std::filesystem::path& folder, const std::vector<std::string>& features)
         : folder_(folder), features_(features) {}
 
@@ -19,8 +19,9 @@ public:
         if (!seen_.insert(file).second) return;
         std::ifstream in(folder_ / file);
         if (!in) {
-            throw RenderError(fmt::format("Shader {} is missing{}; set HAZER_DATA to the folder that holds shaders/",
-                                          (folder_ / file).string(), wantedBy));
+            throw RenderError(
+                fmt::format("Shader {} is missing{}; set HAZER_DATA to the folder that holds shaders/",
+                            (folder_ / file).string(), wantedBy));
         }
         const auto fileNumber = seen_.size();
         std::string line;
@@ -38,7 +39,7 @@ public:
 
     std::string take() { return std::move(text_); }
 
-private:
+ private:
     void addVersion(const std::string& line) {
         text_ += line + '\n';
         for (const std::string& feature : features_) text_ += fmt::format("#define {} 1\n", feature);
@@ -49,7 +50,8 @@ private:
         if (!line.starts_with("#include")) return {};
         const auto open = line.find('"');
         const auto close = line.rfind('"');
-        return open == std::string::npos || close <= open ? std::string() : line.substr(open + 1, close - open - 1);
+        return open == std::string::npos || close <= open ? std::string()
+                                                          : line.substr(open + 1, close - open - 1);
     }
 
     const std::filesystem::path& folder_;

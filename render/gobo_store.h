@@ -1,0 +1,32 @@
+// Gobo pictures on the GPU: one texture array of linear transmission.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/gl/handle.h"
+#include "render/scene.h"
+
+namespace hazer::render {
+
+/// What one gobo lets through: `kGoboSize`^2 RGBA texels, linear, row 0 on top, black outside the inscribed
+/// circle.
+std::vector<std::uint8_t> goboTransmission(const std::uint8_t* rgba, int width, int height);
+
+inline constexpr int kGoboSize = 512;
+
+class GoboStore {
+ public:
+    /// See Renderer::addGobo.
+    GoboId add(const std::uint8_t* rgba, int width, int height);
+
+    /// A GL_TEXTURE_2D_ARRAY with mip levels; 0 while there are no gobos.
+    GLuint texture();
+
+ private:
+    std::vector<std::vector<std::uint8_t>> layers_;
+    gl::Texture texture_;
+    std::size_t uploaded_ = 0;
+};
+
+}  // namespace hazer::render

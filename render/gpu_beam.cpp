@@ -1,0 +1,39 @@
+#include "render/gpu_beam.h"
+
+#include <cmath>
+
+#include "render/camera.h"
+
+namespace hazer::render {
+
+glm::dvec3 apexPosition(const Beam& beam, const BeamShape& shape) {
+    return beam.lensPositionM + beam.worldFromBeam * glm::dvec3(0.0, 0.0, shape.apexToLensM);
+}
+
+GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera, int shadowLayer,
+                 const ShadowProjection& shadow, int shadowMapSize) {
+    const glm::dmat3 lampFromWorld = glm::transpose(beam.worldFromBeam);
+    const glm::dmat3 viewFromLamp = glm::transpose(lampFromWorld * worldFromView(camera));
+    const glm::dvec3 cameraInLamp = lampFromWorld * (camera.positionM - apexPosition(beam, shape));
+    GpuBeam gpu{};
+    gpu.row0 = glm::vec4(glm::dvec4(viewFromLamp[0], cameraInLamp.x));
+    gpu.row1 = glm::vec4(glm::dvec4(viewFromLamp[1], cameraInLamp.y));
+    gpu.row2 = glm::vec4(glm::dvec4(viewFromLamp[2], cameraInLamp.z));
+    gpu.light =
+        glm::vec4(beam.color * static_cast<float>(shape.peakCd), static_cast<float>(shape.apexToLensM));
+    gpu.cone = glm::vec4(glm::dvec4(std::cos(shape.cutHalfAngleRad), std::sin(shape.cutHalfAngleRad),
+                                    shape.beamHalfAngleRad, shape.exponent));
+    const double tanField = std::tan(shape.fieldHalfAngleRad);
+    gpu.gobo = glm::vec4(glm::dvec4(beam.gobo, std::cos(beam.goboRotationRad) / tanField,
+                                    std::sin(beam.goboRotationRad) / tanField,
+                                    beam.focusDistanceM > 0.0 ? 1.0 / beam.focusDistanceM : -1.0));
+    if (shadowLayer >= 0) {
+        const double tanShadow = std::tan(shadow.halfAngleRad);
+        gpu.shadow = glm::vec4(glm::dvec4(shadowLayer, 1.0 / tanShadow, shadow.nearM, shadow.farM));
+        gpu.lens.y = static_cast<float>(2.0 * tanShadow / shadowMapSize);
+    }
+    gpu.lens.x = static_cast<float>(beam.lensRadiusM);
+    return gpu;
+}
+
+}  // namespace hazer::render

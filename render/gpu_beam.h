@@ -1,0 +1,38 @@
+// A beam as the shaders take it: the C++ twin of shaders/include/beam_input.glsl.
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+
+#include "render/photometry.h"
+#include "render/scene.h"
+
+namespace hazer::render {
+
+struct GpuBeam {
+    glm::vec4 row0, row1, row2;
+    glm::vec4 light;
+    glm::vec4 cone;
+    glm::vec4 gobo;
+    glm::vec4 shadow;
+    glm::vec4 lens;
+};
+static_assert(sizeof(GpuBeam) == 8 * 16);
+static_assert(offsetof(GpuBeam, light) == 48 && offsetof(GpuBeam, lens) == 112);
+
+/// Where the virtual apex of a beam is, world [m].
+glm::dvec3 apexPosition(const Beam& beam, const BeamShape& shape);
+
+/// How a beam's shadow map looks out of the lamp.
+struct ShadowProjection {
+    double halfAngleRad = 0.0;
+    double nearM = 0.0;  ///< From the virtual apex along the axis.
+    double farM = 0.0;
+};
+
+/// Packs a beam for a camera. Positions are subtracted in double, so that a stage a kilometre from the origin
+/// loses nothing. shadowLayer < 0: no map; `shadow` is then not used.
+GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera, int shadowLayer,
+                 const ShadowProjection& shadow, int shadowMapSize);
+
+}  // namespace hazer::render

@@ -1,0 +1,33 @@
+// Meshes on the GPU.
+#pragma once
+
+#include <vector>
+
+#include "render/gl/handle.h"
+#include "render/mesh.h"
+#include "render/scene.h"
+
+namespace hazer::render {
+
+class MeshStore {
+ public:
+    MeshId add(const Mesh& mesh);
+
+    /// Draws with the program in use; vertex inputs 0 (position) and 1 (normal).
+    void draw(MeshId mesh) const;
+
+    /// Indexed by MeshId.
+    const std::vector<BoundingSphere>& bounds() const { return bounds_; }
+
+ private:
+    struct GpuMesh {
+        gl::VertexArray vertexArray;
+        gl::Buffer vertices;
+        gl::Buffer indices;
+        GLsizei indexCount = 0;
+    };
+    std::vector<GpuMesh> meshes_;
+    std::vector<BoundingSphere> bounds_;
+};
+
+}  // namespace hazer::render

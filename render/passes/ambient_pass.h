@@ -1,0 +1,24 @@
+// Begins the picture: background, and surfaces in the ambient light.
+#pragma once
+
+#include <filesystem>
+
+#include "render/gl/program.h"
+#include "render/passes/surface_pass.h"
+#include "render/scene.h"
+
+namespace hazer::render {
+
+class AmbientPass {
+ public:
+    explicit AmbientPass(const std::filesystem::path& shaderFolder);
+
+    /// Writes every pixel of the bound framebuffer.
+    void draw(const Scene& scene, const SurfacePass& surfaces);
+
+ private:
+    gl::Program program_;
+    gl::VertexArray noVertices_ = gl::makeVertexArray();
+};
+
+}  // namespace hazer::render

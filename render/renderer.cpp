@@ -1,0 +1,200 @@
+#include "render/renderer.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "render/error.h"
+#include "render/gl/debug_output.h"
+#include "render/gl/pass_timer.h"
+#include "render/gl/texture.h"
+#include "render/gobo_store.h"
+#include "render/mesh_store.h"
+#include "render/passes/ambient_pass.h"
+#include "render/passes/bloom_pass.h"
+#include "render/passes/light_pass.h"
+#include "render/passes/shadow_pass.h"
+#include "render/passes/surface_pass.h"
+#include "render/passes/tone_map_pass.h"
+#include "render/scene_plan.h"
+
+namespace hazer::render {
+namespace {
+
+void requireGl41() {
+    if (epoxy_gl_version() < 41) {
+        throw NoGlError(
+            fmt::format("hazer needs OpenGL 4.1, this context has {}.{}; update the graphics driver",
+                        epoxy_gl_version() / 10, epoxy_gl_version() % 10));
+    }
+}
+
+/// Linear Rec. 709 from linear Rec. 2020 (ITU-R BT.2087).
+glm::vec3 rec709FromRec2020(const glm::vec3& c) {
+    return {1.660491f * c.r - 0.587641f * c.g - 0.072850f * c.b,
+            -0.124550f * c.r + 1.132900f * c.g - 0.008349f * c.b,
+            -0.018151f * c.r - 0.100579f * c.g + 1.118730f * c.b};
+}
+
+/// Row y of a picture that GL hands over from the bottom up.
+std::size_t flippedRow(int y, int height, int width) {
+    return 3 * static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width);
+}
+
+}  // namespace
+
+struct Renderer::Impl {
+    explicit Impl(const std::filesystem::path& shaderFolder)
+        : surfaces(shaderFolder),
+          shadows(shaderFolder),
+          ambient(shaderFolder),
+          lights(shaderFolder),
+          bloom(shaderFolder),
+          toneMap(shaderFolder) {}
+
+    void resize(int newWidth, int newHeight);
+    void drawDisplay();
+
+    template <typename Draw>
+    void pass(const char* name, Draw draw) {
+        const gl::DebugGroup group(name);
+        timer.begin(name);
+        draw();
+        timer.end();
+    }
+
+    MeshStore meshes;
+    GoboStore gobos;
+    SurfacePass surfaces;
+    ShadowPass shadows;
+    AmbientPass ambient;
+    LightPass lights;
+    BloomPass bloom;
+    ToneMapPass toneMap;
+    gl::PassTimer timer;
+    gl::Texture radiance;
+    gl::Framebuffer radianceTarget;
+    gl::Texture display;
+    gl::Framebuffer displayTarget;
+    int width = 0;
+    int height = 0;
+    float exposureEv100 = 0.0f;
+    bool hasBloom = false;
+};
+
+void Renderer::Impl::resize(int newWidth, int newHeight) {
+    if (newWidth == width && newHeight == height) return;
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    if (newWidth < 1 || newHeight < 1 || newWidth > limit || newHeight > limit) {
+        throw RenderError(
+            fmt::format("A picture of {}x{} cannot be drawn; this graphics driver goes up to {}x{}", newWidth,
+                        newHeight, limit, limit));
+    }
+    width = newWidth;
+    height = newHeight;
+    surfaces.resize(width, height);
+    bloom.resize(width, height);
+    // 32-bit floats: a lens is ten million times brighter than the haze, and hundreds of beams are added up.
+    radiance = gl::makeTexture2d(GL_RGBA32F, width, height, GL_LINEAR);
+    radianceTarget = gl::makeFramebufferFor({radiance.id()}, surfaces.depth());
+    display = gl::makeTexture2d(GL_RGBA8, width, height, GL_LINEAR);
+    displayTarget = gl::makeFramebufferFor({display.id()});
+}
+
+void Renderer::Impl::drawDisplay() {
+    glBindFramebuffer(GL_FRAMEBUFFER, displayTarget.id());
+    glViewport(0, 0, width, height);
+    toneMap.draw(radiance.id(), hasBloom ? bloom.texture() : 0, width, height, exposureEv100);
+}
+
+Renderer::Renderer(std::filesystem::path shaderFolder) {
+    requireGl41();
+    gl::enableDebugOutput();
+    impl_ = std::make_unique<Impl>(shaderFolder);
+}
+
+Renderer::~Renderer() = default;
+
+MeshId Renderer::addMesh(const Mesh& mesh) {
+    return impl_->meshes.add(mesh);
+}
+
+GoboId Renderer::addGobo(const std::uint8_t* rgba, int width, int height) {
+    return impl_->gobos.add(rgba, width, height);
+}
+
+void Renderer::render(const Scene& scene, const Camera& camera, const Settings& settings) {
+    Impl& r = *impl_;
+    r.resize(settings.width, settings.height);
+    r.exposureEv100 = settings.exposureEv100;
+    const ScenePlan plan = planScene(scene, settings, r.meshes.bounds());
+    r.hasBloom = plan.bloom;
+    r.timer.beginFrame();
+
+    if (!plan.shadowMaps.empty()) r.pass("shadow maps", [&] { r.shadows.draw(scene, plan, r.meshes); });
+    glViewport(0, 0, r.width, r.height);
+    r.pass("surfaces", [&] { r.surfaces.draw(scene, camera, r.meshes); });
+    glBindFramebuffer(GL_FRAMEBUFFER, r.radianceTarget.id());
+    r.pass("ambient", [&] { r.ambient.draw(scene, r.surfaces); });
+    const LightPass::Inputs lights{
+        scene, camera, settings, plan, r.surfaces, r.gobos.texture(), r.shadows.texture()};
+    r.lights.upload(lights);
+    r.pass("beams", [&] { r.lights.drawBeams(lights); });
+    if (plan.lenses) r.pass("lenses", [&] { r.lights.drawLenses(lights); });
+    if (plan.bloom) r.pass("bloom", [&] { r.bloom.draw(r.radiance.id()); });
+    r.pass("tone map", [&] { r.drawDisplay(); });
+}
+
+FloatImage Renderer::readRadiance() const {
+    const Impl& r = *impl_;
+    FloatImage bottomUp{
+        r.width, r.height,
+        std::vector<float>(3 * static_cast<std::size_t>(r.width) * static_cast<std::size_t>(r.height))};
+    glBindFramebuffer(GL_FRAMEBUFFER, r.radianceTarget.id());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, r.width, r.height, GL_RGB, GL_FLOAT, bottomUp.rgb.data());
+    FloatImage image = bottomUp;
+    for (int y = 0; y < r.height; ++y) {
+        const float* from = bottomUp.rgb.data() + flippedRow(y, r.height, r.width);
+        float* to = image.rgb.data() + 3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(r.width);
+        for (int x = 0; x < r.width; ++x, from += 3, to += 3) {
+            const glm::vec3 color = rec709FromRec2020({from[0], from[1], from[2]});
+            for (int c = 0; c < 3; ++c) to[c] = color[c];
+        }
+    }
+    return image;
+}
+
+ByteImage Renderer::readDisplay() {
+    const Impl& r = *impl_;
+    const std::size_t row = 3 * static_cast<std::size_t>(r.width);
+    ByteImage bottomUp{r.width, r.height,
+                       std::vector<std::uint8_t>(row * static_cast<std::size_t>(r.height))};
+    glBindFramebuffer(GL_FRAMEBUFFER, r.displayTarget.id());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, r.width, r.height, GL_RGB, GL_UNSIGNED_BYTE, bottomUp.rgb.data());
+    ByteImage image = bottomUp;
+    for (int y = 0; y < r.height; ++y) {
+        std::copy_n(bottomUp.rgb.data() + flippedRow(y, r.height, r.width), row,
+                    image.rgb.data() + static_cast<std::size_t>(y) * row);
+    }
+    return image;
+}
+
+void Renderer::present(unsigned framebuffer, int width, int height) {
+    const Impl& r = *impl_;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, r.displayTarget.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glBlitFramebuffer(0, 0, r.width, r.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+}
+
+std::vector<PassTime> Renderer::passTimes() const {
+    std::vector<PassTime> times;
+    for (const auto& [name, milliseconds] : impl_->timer.latest()) times.push_back({name, milliseconds});
+    return times;
+}
+
+}  // namespace hazer::render
