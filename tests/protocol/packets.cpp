@@ -1,5 +1,8 @@
 #include "tests/protocol/packets.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace hazer::protocol::test {
 namespace {
 
@@ -14,10 +17,27 @@ std::uint8_t lowByte(std::size_t value) {
 
 Bytes dmxDatagram(const DmxFields& fields) {
     const std::size_t length = fields.claimedLength.value_or(static_cast<std::uint16_t>(fields.slots.size()));
-    Bytes datagram{'A', 'r', 't', '-', 'N', 'e', 't', 0, 0x00, 0x50, 0, 14};
-    datagram.insert(datagram.end(), {fields.sequence, fields.physical, fields.subUni, fields.net,
-                                     highByte(length), lowByte(length)});
-    datagram.insert(datagram.end(), fields.slots.begin(), fields.slots.end());
+    const std::uint8_t header[] = {'A',
+                                   'r',
+                                   't',
+                                   '-',
+                                   'N',
+                                   'e',
+                                   't',
+                                   0,
+                                   0x00,
+                                   0x50,
+                                   0,
+                                   14,
+                                   fields.sequence,
+                                   fields.physical,
+                                   fields.subUni,
+                                   fields.net,
+                                   highByte(length),
+                                   lowByte(length)};
+    Bytes datagram(std::size(header) + fields.slots.size());
+    const auto slots = std::ranges::copy(header, datagram.begin()).out;
+    std::ranges::copy(fields.slots, slots);
     return datagram;
 }
 
