@@ -280,8 +280,8 @@ Look driveSpot(const Place& place, double timeS) {
 Look driveBeam(const Place& place, double timeS) {
     const double phase = 0.25 * place.index;
     return {.dimmer = 1.0,
-            .sideDeg = 24.0 * wave(timeS, 4.0, phase + 0.25),
-            .forwardDeg = 32.0 + 20.0 * wave(timeS, 4.0, phase),
+            .sideDeg = 20.0 * wave(timeS, 4.0, phase + 0.25),
+            .forwardDeg = 34.0 + 19.0 * wave(timeS, 4.0, phase),
             .strobeHz = isDriveEnd(timeS) ? 8.0 : 0.0,
             .color = kOpen};
 }
