@@ -1,0 +1,54 @@
+#include "app/assignment.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "app/nearest_name.h"
+
+namespace hazer::app {
+namespace {
+
+struct Assignment {
+    std::string fixture;
+    std::string attribute;
+    double value;
+};
+
+std::optional<Assignment> parseAssignment(const std::string& text) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string::npos) return std::nullopt;
+    const std::size_t dot = text.rfind('.', equals);
+    if (dot == std::string::npos || dot == 0 || dot + 1 == equals) return std::nullopt;
+    double value = 0.0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data() + equals + 1, end, value);
+    if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
+    return Assignment{text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), value};
+}
+
+}  // namespace
+
+std::string checkAssignment(const std::string& text) {
+    if (parseAssignment(text)) return {};
+    return fmt::format("'{}' must read FIXTURE.Attribute=VALUE with a number, such as spot1.Tilt=30", text);
+}
+
+void assign(const std::string& text, Patch& patch) {
+    const std::optional<Assignment> assignment = parseAssignment(text);
+    if (!assignment) throw std::runtime_error(checkAssignment(text));
+    PatchedFixture* patched = patch.find(assignment->fixture);
+    if (patched == nullptr) {
+        throw std::runtime_error(fmt::format("{}: the show has no fixture '{}'.{}", text, assignment->fixture,
+                                             suggestName(assignment->fixture, patch.fixtureNames())));
+    }
+    if (patched->fixture.hold(assignment->attribute, assignment->value)) return;
+    throw std::runtime_error(
+        fmt::format("{}: '{}' has no attribute '{}'.{}", text, assignment->fixture, assignment->attribute,
+                    suggestName(assignment->attribute, attributeNames(patched->fixture))));
+}
+
+}  // namespace hazer::app

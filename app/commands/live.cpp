@@ -1,0 +1,41 @@
+// hazer live: a window that shows what the desk does.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "app/commands/command.h"
+#include "app/display.h"
+#include "app/paths.h"
+
+namespace hazer::app {
+namespace {
+
+struct LiveOptions {
+    std::string show;
+    std::optional<std::uint16_t> port;
+};
+
+int runLive(const LiveOptions& options) {
+    const std::filesystem::path file =
+        options.show.empty() ? showFolder() / "one-spot.toml" : std::filesystem::path(options.show);
+    return showInWindow(loadShow(file), {.listen = true, .port = options.port}, {});
+}
+
+}  // namespace
+
+void addLiveCommand(CLI::App& program, Command& chosen) {
+    auto options = std::make_shared<LiveOptions>();
+    CLI::App* command =
+        program.add_subcommand("live", "Watch a show in a window, driven by a desk over Art-Net.");
+    beginHelpWith(*command,
+                  "  hazer live                       one moving spot, on Port-Address 0 from slot 1\n"
+                  "  hazer live myshow.toml           your own rig\n"
+                  "  hazer live myshow.toml --port 6455\n");
+    command->add_option("SHOW", options->show, "The show file (.toml); a single moving spot unless given");
+    command->add_option("--port", options->port, "UDP port instead of those of the show's inputs")
+        ->check(CLI::Range(1, 65535));
+    command->callback([options, &chosen] { chosen = [options] { return runLive(*options); }; });
+}
+
+}  // namespace hazer::app

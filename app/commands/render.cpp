@@ -1,0 +1,211 @@
+// hazer render: a picture, numbered frames or a film of a show, without a window.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "app/assignment.h"
+#include "app/commands/command.h"
+#include "app/film.h"
+#include "app/interrupt.h"
+#include "app/picture_file.h"
+#include "app/progress.h"
+#include "app/session.h"
+#include "render/gl/headless_context.h"
+
+namespace hazer::app {
+namespace {
+
+struct RenderOptions {
+    std::string show;
+    std::string out = "hazer.png";
+    std::vector<std::string> assignments;
+    std::string size = "1280x720";
+    std::string camera;
+    double listenS = 0.0;
+    std::optional<std::uint16_t> port;
+    std::optional<float> ev100;
+    std::string integrator = "angle";
+    int samples = 0;
+    bool hasNoBloom = false;
+    double timeS = 0.0;
+    double seconds = 0.0;  // 0: a still
+    double framesPerS = 25.0;
+};
+
+struct Size {
+    int width;
+    int height;
+};
+
+std::optional<Size> parseSize(const std::string& text) {
+    const std::size_t cross = text.find('x');
+    Size size{};
+    if (cross == std::string::npos || !CLI::detail::lexical_cast(text.substr(0, cross), size.width) ||
+        !CLI::detail::lexical_cast(text.substr(cross + 1), size.height)) {
+        return std::nullopt;
+    }
+    const auto fits = [](int edge) { return edge >= 1 && edge <= 8192; };
+    return fits(size.width) && fits(size.height) ? std::optional(size) : std::nullopt;
+}
+
+std::string checkSize(const std::string& text) {
+    return parseSize(text)
+               ? std::string()
+               : fmt::format("'{}' must read WIDTHxHEIGHT, each 1 to 8192, such as 1280x720", text);
+}
+
+std::string checkOut(const std::string& text) {
+    try {
+        outputKind(text);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+void applySettings(const RenderOptions& options, Session& session) {
+    const Size size = *parseSize(options.size);
+    render::Settings& settings = session.settings();
+    settings.width = size.width;
+    settings.height = size.height;
+    settings.exposureEv100 = options.ev100.value_or(settings.exposureEv100);
+    settings.integrator =
+        options.integrator == "uniform" ? render::Integrator::kUniform : render::Integrator::kAngle;
+    settings.samples = options.samples;
+    settings.bloom = !options.hasNoBloom;
+    if (!options.camera.empty()) session.camera() = session.show().camera(options.camera).camera;
+    for (const std::string& assignment : options.assignments) assign(assignment, session.patch());
+    session.setTime(options.timeS);
+}
+
+/// Waits while the receiver works on its own thread.
+void listenFor(double seconds) {
+    const protocol::TimePoint end =
+        protocol::Clock::now() +
+        std::chrono::duration_cast<protocol::Clock::duration>(std::chrono::duration<double>(seconds));
+    const Interrupt interrupt;
+    while (protocol::Clock::now() < end && !interrupt.asked()) {
+        std::this_thread::sleep_until(std::min(end, protocol::Clock::now() + std::chrono::milliseconds(50)));
+    }
+}
+
+void renderStill(Session& session, const RenderOptions& options) {
+    session.draw();
+    writePicture(session.renderer(), options.out);
+}
+
+/// Draws frame after frame, 1/fps apart, and gives each to `take(index)`.
+template <typename Take>
+void renderFrames(Session& session, const RenderOptions& options, Take take) {
+    const int count = std::max(1, static_cast<int>(std::lround(options.seconds * options.framesPerS)));
+    Progress progress("drawing frame", count);
+    for (int index = 0; index < count; ++index) {
+        progress.show(index + 1);
+        session.draw();
+        take(index);
+        session.advance(1.0 / options.framesPerS);
+    }
+}
+
+void renderFilm(Session& session, const RenderOptions& options) {
+    makeFolderOf(options.out);
+    const render::Settings& settings = session.settings();
+    Film film(options.out, {settings.width, settings.height, options.framesPerS});
+    renderFrames(session, options, [&](int) { film.add(session.renderer().readDisplay()); });
+    film.finish();
+}
+
+void renderNumbered(Session& session, const RenderOptions& options) {
+    renderFrames(session, options,
+                 [&](int index) { writePicture(session.renderer(), numberedFile(options.out, index)); });
+}
+
+void renderAsAsked(Session& session, const RenderOptions& options) {
+    if (outputKind(options.out) == OutputKind::kFilm) {
+        renderFilm(session, options);
+    } else if (options.seconds > 0.0) {
+        renderNumbered(session, options);
+    } else {
+        renderStill(session, options);
+    }
+}
+
+int runRender(RenderOptions options) {
+    Show show = loadShow(options.show);
+    // A film needs a length; a still has none.
+    if (outputKind(options.out) == OutputKind::kFilm && options.seconds == 0.0) options.seconds = 10.0;
+    const render::gl::HeadlessContext context;
+    Session session(std::move(show), {.listen = options.listenS > 0.0, .port = options.port});
+    applySettings(options, session);
+    listenFor(options.listenS);
+    session.advance(0.0);
+    session.settle();
+    renderAsAsked(session, options);
+    fmt::print("{}\n", options.out);
+    return kExitOk;
+}
+
+void addPictureOptions(CLI::App& command, RenderOptions& options) {
+    command.add_option("--out", options.out, "File: .png, .exr (cd/m2) or .mp4; hazer.png unless given")
+        ->check(checkOut);
+    command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels; 1280x720 unless given")
+        ->check(checkSize);
+    command.add_option("--camera", options.camera, "Name of a camera of the show; its first unless given");
+    command.add_option("--ev", options.ev100, "Exposure as EV100, -20..40; the show's unless given")
+        ->check(CLI::Range(-20.0, 40.0));
+    command
+        .add_option("--integrator", options.integrator, "How light in the haze is summed; angle unless given")
+        ->check(CLI::IsMember({"angle", "uniform"}));
+    command
+        .add_option("--samples", options.samples, "Samples of the integrator, 1..4096; its own unless given")
+        ->check(CLI::Range(1, 4096));
+    command.add_flag("--no-bloom", options.hasNoBloom, "Without the glow around bright light");
+}
+
+void addTimeOptions(CLI::App& command, RenderOptions& options) {
+    command.add_option("--time", options.timeS, "Seconds since the start, for the haze that moves")
+        ->check(CLI::Range(0.0, 1e6));
+    command
+        .add_option("--seconds", options.seconds, "Length of a film (10 unless given) or of numbered frames")
+        ->check(CLI::Range(0.001, 86400.0));
+    command.add_option("--fps", options.framesPerS, "Frames a second, 1..240; 25 unless given")
+        ->check(CLI::Range(1.0, 240.0));
+}
+
+void addInputOptions(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option(
+            "--set", options.assignments,
+            "Hold an attribute, FIXTURE.Attribute=VALUE (deg, Hz, 0..1, slot of a wheel); may be repeated")
+        ->check(checkAssignment);
+    command.add_option("--listen", options.listenS, "Listen so many seconds, then draw what stands")
+        ->check(CLI::Range(0.001, 86400.0));
+    command.add_option("--port", options.port, "UDP port instead of those of the show's inputs")
+        ->check(CLI::Range(1, 65535));
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& program, Command& chosen) {
+    auto options = std::make_shared<RenderOptions>();
+    CLI::App* command =
+        program.add_subcommand("render", "Draw a picture or a film of a show, without a window.");
+    beginHelpWith(
+        *command,
+        "  hazer render myshow.toml                                        writes hazer.png\n"
+        "  hazer render myshow.toml --set spot1.Dimmer=1 --set spot1.Tilt=30 --out look.exr\n"
+        "  hazer render myshow.toml --listen 2 --out now.png               what the desk sends now\n"
+        "  hazer render myshow.toml --seconds 4 --out haze.mp4             a film\n"
+        "  hazer render myshow.toml --seconds 4 --out frames/haze_%04d.png numbered frames\n");
+    command->add_option("SHOW", options->show, "The show file (.toml)")->required();
+    addPictureOptions(*command, *options);
+    addInputOptions(*command, *options);
+    addTimeOptions(*command, *options);
+    command->callback([options, &chosen] { chosen = [options] { return runRender(*options); }; });
+}
+
+}  // namespace hazer::app

@@ -1,0 +1,158 @@
+#include "app/inspection.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace hazer::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json jsonOf(const glm::dvec3& vector) {
+    return {vector.x, vector.y, vector.z};
+}
+
+/// Slots that each DMX break of a mode takes.
+std::map<int, int> footprints(const fixtures::DmxMode& mode) {
+    std::map<int, int> slots;
+    for (const fixtures::DmxChannel& channel : mode.channels) {
+        for (const int offset : channel.offsets) {
+            slots[channel.dmxBreak] = std::max(slots[channel.dmxBreak], offset);
+        }
+    }
+    return slots;
+}
+
+Json describeFunction(const fixtures::ChannelFunction& function) {
+    return {{"name", function.name},
+            {"attribute", function.attribute},
+            {"from", function.dmxFrom},
+            {"to", function.dmxTo},
+            {"physical_from", function.physicalFrom},
+            {"physical_to", function.physicalTo}};
+}
+
+Json describeChannel(const fixtures::DmxChannel& channel) {
+    Json functions = Json::array();
+    for (const fixtures::LogicalChannel& logical : channel.logicalChannels) {
+        for (const fixtures::ChannelFunction& function : logical.functions) {
+            functions.push_back(describeFunction(function));
+        }
+    }
+    return {{"geometry", channel.geometry},
+            {"attribute",
+             channel.logicalChannels.empty() ? "NoFeature" : channel.logicalChannels.front().attribute},
+            {"break", channel.dmxBreak},
+            {"offsets", channel.offsets},
+            {"functions", std::move(functions)}};
+}
+
+void describeBeams(const fixtures::Geometry& geometry, const glm::dmat4& fixtureFromParent,
+                   const std::string& parentPath, Json& beams) {
+    const glm::dmat4 fixtureFromGeometry = fixtureFromParent * geometry.parentFromGeometry;
+    const std::string path = parentPath.empty() ? geometry.name : parentPath + "/" + geometry.name;
+    if (geometry.kind == fixtures::GeometryKind::kBeam) {
+        beams.push_back({{"path", path},
+                         {"position_m", jsonOf(glm::dvec3(fixtureFromGeometry[3]))},
+                         {"direction", jsonOf(-glm::normalize(glm::dvec3(fixtureFromGeometry[2])))}});
+    }
+    for (const fixtures::Geometry& child : geometry.children) {
+        describeBeams(child, fixtureFromGeometry, path, beams);
+    }
+}
+
+Json describeMode(const fixtures::DmxMode& mode) {
+    Json footprint = Json::object();
+    for (const auto& [dmxBreak, slots] : footprints(mode)) footprint[std::to_string(dmxBreak)] = slots;
+    Json channels = Json::array();
+    for (const fixtures::DmxChannel& channel : mode.channels) channels.push_back(describeChannel(channel));
+    Json beams = Json::array();
+    describeBeams(mode.geometry, glm::dmat4(1.0), "", beams);
+    return {{"name", mode.name},
+            {"footprint", std::move(footprint)},
+            {"channels", std::move(channels)},
+            {"beams", std::move(beams)}};
+}
+
+Json describeWheel(const fixtures::Wheel& wheel) {
+    Json slots = Json::array();
+    for (const fixtures::WheelSlot& slot : wheel.slots) slots.push_back(slot.name);
+    return {{"name", wheel.name}, {"slots", std::move(slots)}};
+}
+
+Json describeSlots(const fixtures::Fixture& fixture) {
+    Json slots = Json::object();
+    for (const fixtures::ChannelPatch& channel : fixture.channels()) {
+        if (channel.slots.empty()) continue;
+        const bool isTaken = slots.contains(channel.attribute);
+        slots[isTaken ? channel.geometry + "." + channel.attribute : channel.attribute] = channel.slots;
+    }
+    return slots;
+}
+
+}  // namespace
+
+Json describeFixtureType(const fixtures::FixtureType& type) {
+    Json modes = Json::array();
+    for (const fixtures::DmxMode& mode : type.modes) modes.push_back(describeMode(mode));
+    Json wheels = Json::array();
+    for (const fixtures::Wheel& wheel : type.wheels) wheels.push_back(describeWheel(wheel));
+    return {{"name", type.name},
+            {"manufacturer", type.manufacturer},
+            {"modes", std::move(modes)},
+            {"wheels", std::move(wheels)},
+            {"warnings", type.warnings}};
+}
+
+Json describeShow(const Show& show, const Patch& patch) {
+    Json fixtures = Json::array();
+    auto written = show.fixtures.begin();
+    for (const PatchedFixture& patched : patch.fixtures()) {
+        fixtures.push_back({{"name", patched.fixture.name()},
+                            {"gdtf", written->gdtf},
+                            {"mode", patched.fixture.mode().name},
+                            {"protocol", "artnet"},
+                            {"universe", patched.universe.number},
+                            {"slots", describeSlots(patched.fixture)}});
+        ++written;
+    }
+    return {{"fixtures", std::move(fixtures)}};
+}
+
+std::string summarizeFixtureType(const fixtures::FixtureType& type) {
+    std::string text = fmt::format("{} ({})\n", type.name, type.manufacturer);
+    const auto out = std::back_inserter(text);
+    for (const fixtures::DmxMode& mode : type.modes) {
+        fmt::format_to(out, "  mode '{}': {} slots\n", mode.name, mode.footprint);
+        for (const fixtures::DmxChannel& channel : mode.channels) {
+            const Json described = describeChannel(channel);
+            fmt::format_to(out, "    {:>7}  {} ({})\n", fmt::join(channel.offsets, ","),
+                           described["attribute"].get<std::string>(), channel.geometry);
+        }
+    }
+    for (const fixtures::Wheel& wheel : type.wheels) {
+        fmt::format_to(out, "  wheel '{}': {} slots\n", wheel.name, wheel.slots.size());
+    }
+    for (const std::string& warning : type.warnings) fmt::format_to(out, "  warning: {}\n", warning);
+    return text;
+}
+
+std::string summarizeShow(const Show& show, const Patch& patch) {
+    std::string text = fmt::format("{}: {} fixtures, {} objects, {} cameras\n", show.title,
+                                   show.fixtures.size(), show.objects.size(), show.cameras.size());
+    const auto out = std::back_inserter(text);
+    for (const PatchedFixture& patched : patch.fixtures()) {
+        const fixtures::Fixture& fixture = patched.fixture;
+        fmt::format_to(out, "  {:<20} Port-Address {}, slots {} to {}: {}, mode '{}'\n", fixture.name(),
+                       patched.universe.number, fixture.address(),
+                       fixture.address() + fixture.mode().footprint - 1, fixture.type().name,
+                       fixture.mode().name);
+    }
+    return text;
+}
+
+}  // namespace hazer::app

@@ -1,0 +1,28 @@
+// What is in a fixture type or a show, as JSON for machines and as text for people.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/patch.h"
+#include "fixtures/fixture_type.h"
+
+namespace hazer::app {
+
+/// {"name", "manufacturer", "modes": [{"name", "footprint": {break: slots}, "channels": [{"geometry",
+/// "attribute", "break", "offsets", "functions": [{"name", "attribute", "from", "to", "physical_from",
+/// "physical_to"}]}], "beams": [{"path", "position_m", "direction"}]}], "wheels": [{"name", "slots":
+/// [names]}], "warnings": [sentences]}. Beams stand as in the fixture's own coordinates at rest.
+nlohmann::ordered_json describeFixtureType(const fixtures::FixtureType& type);
+
+/// {"fixtures": [{"name", "gdtf", "mode", "protocol", "universe", "slots": {attribute: [slots from 1, most
+/// significant first]}}]}. Where several channels have one attribute, its key is "geometry.attribute" from
+/// the second on.
+nlohmann::ordered_json describeShow(const Show& show, const Patch& patch);
+
+/// The same for people: a title, then a line for each mode and wheel, or each fixture.
+std::string summarizeFixtureType(const fixtures::FixtureType& type);
+std::string summarizeShow(const Show& show, const Patch& patch);
+
+}  // namespace hazer::app
