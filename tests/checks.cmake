@@ -36,3 +36,16 @@ hazer_add_check(gl_floor_shaders check_gl_floor_shaders.cmake
 hazer_add_refusal(gl_floor_shaders_refuses check_gl_floor_shaders.cmake "binding.*not supported"
     "SHADERS=${CMAKE_CURRENT_SOURCE_DIR}/support/newer_glsl" "EXPAND=$<TARGET_FILE:expand_shader>"
     "VALIDATOR=${GLSLANG_VALIDATOR}")
+
+# Each header must compile alone: a source that includes it may not have to know what else to include before.
+file(GLOB_RECURSE headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS
+    "${PROJECT_SOURCE_DIR}/app/*.h" "${PROJECT_SOURCE_DIR}/protocol/*.h"
+    "${PROJECT_SOURCE_DIR}/fixtures/*.h" "${PROJECT_SOURCE_DIR}/render/*.h")
+set(lone_sources "")
+foreach(header IN LISTS headers)
+    set(source "${CMAKE_CURRENT_BINARY_DIR}/headers_alone/${header}.cpp")
+    file(CONFIGURE OUTPUT "${source}" CONTENT "#include \"${header}\"\n" @ONLY)
+    list(APPEND lone_sources "${source}")
+endforeach()
+add_library(headers_alone OBJECT ${lone_sources})
+target_link_libraries(headers_alone PRIVATE hazer_app)
