@@ -49,3 +49,5 @@ foreach(header IN LISTS headers)
 endforeach()
 add_library(headers_alone OBJECT ${lone_sources})
 target_link_libraries(headers_alone PRIVATE hazer_app)
+
+hazer_add_check(package check_package.cmake "BUILD=${PROJECT_BINARY_DIR}" "WORK=${CMAKE_CURRENT_BINARY_DIR}/package")
