@@ -20,7 +20,8 @@ using asio::ip::udp;
 // system.
 constexpr std::size_t kMaxDatagramSize = 2048;
 
-// Room for about a second of 40 universes at 44 Hz, so that a stall of this thread loses nothing.
+// Asked for so that a stall of this thread loses no packets. Systems grant less by default (Linux:
+// net.core.rmem_max).
 constexpr int kReceiveBufferBytes = 1 << 20;
 
 constexpr std::chrono::milliseconds kRetryAfterError{100};
