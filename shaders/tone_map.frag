@@ -9,8 +9,8 @@ uniform float bloomShare;
 out vec4 color;
 
 vec3 agx(vec3 rec2020) {
-    const mat3 inset = transpose(mat3(0.856627, 0.0951212, 0.0482516, 0.137319, 0.761242, 0.101439, 0.111898, 0.0767994, 0.811302));
-    const mat3 outset = transpose(mat3(1.1271, -0.110607, -0.0164939, -0.14133, 1.157824, -0.0164939, -0.14133, -0.110607, 1.251936));
+    mat3 inset = transpose(mat3(0.856627, 0.0951212, 0.0482516, 0.137319, 0.761242, 0.101439, 0.111898, 0.0767994, 0.811302));
+    mat3 outset = transpose(mat3(1.1271, -0.110607, -0.0164939, -0.14133, 1.157824, -0.0164939, -0.14133, -0.110607, 1.251936));
     const float lowest = -12.47393;
     const float highest = 4.026069;
     vec3 x = clamp((log2(max(inset * rec2020, 1e-10)) - lowest) / (highest - lowest), 0.0, 1.0);
