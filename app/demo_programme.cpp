@@ -145,7 +145,7 @@ Look dawnWash(const Place& place, double timeS) {
 }
 
 Look dawnFresnel(const Place&, double) {
-    return lit(0.06);
+    return lit(0.03);
 }
 
 Look dawnPar(const Place&, double) {
@@ -174,8 +174,8 @@ Look crossingSpot(const Place& place, double timeS) {
     const Chord& chord = chordAt(timeS);
     return {.dimmer = 1.0,
             .sideDeg = -38.0 * place.across * wave(timeS, 8.0, 0.08),
-            .forwardDeg = 40.0 + 12.0 * wave(timeS, 4.0, 0.5 * std::abs(place.across)),
-            .zoomDeg = 19.0,
+            .forwardDeg = 45.0 + 10.0 * wave(timeS, 4.0, 0.5 * std::abs(place.across)),
+            .zoomDeg = 23.0,
             .color = place.isOdd() ? chord.oddColor : chord.evenColor,
             .gobo = place.isOdd() ? kTriangleFan : kBurst,
             .goboSpeedDegPerS = 50.0 * place.alternating()};
@@ -187,7 +187,7 @@ Look crossingBeam(const Place& place, double timeS) {
     return {.dimmer = dimmer,
             .sideDeg = place.across * (4.0 - 30.0 * wave(timeS, 8.0)),
             .forwardDeg = (place.isStanding ? 14.0 : 36.0) + 8.0 * wave(timeS, 4.0),
-            .color = place.isStanding ? kOpen : kBlue};
+            .color = place.isStanding ? kOpen : kCyan};
 }
 
 Look crossingWash(const Place& place, double timeS) {
@@ -195,7 +195,7 @@ Look crossingWash(const Place& place, double timeS) {
 }
 
 Look crossingPar(const Place&, double timeS) {
-    return lit(0.6, barAt(timeS) % 2 == 1 ? kPink : kViolet);
+    return lit(0.5, barAt(timeS) % 2 == 1 ? kPink : kViolet);
 }
 
 // ---- wave: one movement runs through all beams ----------------------------------------------------------
@@ -293,7 +293,7 @@ Look driveWash(const Place& place, double timeS) {
 
 Look driveBlinder(const Place&, double timeS) {
     // A hit every second bar; the glow of tungsten takes a moment to fade.
-    return lit(0.8 * hit(timeS, 2.0 * kBarS, 0.35));
+    return lit(0.5 * hit(timeS, 2.0 * kBarS, 0.3));
 }
 
 Look driveFresnel(const Place&, double) {
@@ -324,7 +324,7 @@ Look landingBeam(const Place& place, double timeS) {
 }
 
 Look landingBlinder(const Place&, double timeS) {
-    return lit(0.9 * hit(timeS, 40.0, 0.5));
+    return lit(0.5 * hit(timeS, kDemoLoopS, 0.5));
 }
 
 Look landingFresnel(const Place&, double timeS) {
