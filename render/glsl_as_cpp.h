@@ -11,8 +11,8 @@
 namespace hazer::render::glsl {
 
 // GLSL's built-ins under their own names.
-using glm::abs, glm::atan, glm::cross, glm::dot, glm::exp, glm::exp2, glm::length, glm::max, glm::min,
-    glm::normalize, glm::pow, glm::sqrt;
+using glm::abs, glm::atan, glm::ceil, glm::clamp, glm::cos, glm::cross, glm::dot, glm::exp, glm::exp2, glm::length, glm::max,
+    glm::min, glm::normalize, glm::pow, glm::sin, glm::sqrt;
 
 /// The shared formulas as members, in float or double. Members, so that what a program does not use costs
 /// nothing.
@@ -26,6 +26,14 @@ struct Formulas {
 #include "shaders/include/beam_ray.glsl"
 #include "shaders/include/gauss_legendre.glsl"
 #include "shaders/include/phase.glsl"
+    // The hooks of beam_integral.glsl: nothing in the way, even haze.
+    Real3 transmissionAt(const LampSample&) {
+        return Real3(Real(1));
+    }
+    Real densityAt(Real) {
+        return Real(1);
+    }
+#include "shaders/include/beam_integral.glsl"
 };
 
 }  // namespace hazer::render::glsl

@@ -13,7 +13,7 @@ constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 
 constexpr std::array<std::pair<LightFeatures, const char*>, 7> kFeatureNames{{{kFeatureAir, "AIR"},
                                                                               {kFeatureSurfaces, "SURFACES"},
-                                                                              {kFeatureSoft, "SOFT"},
+                                                                              {kFeatureFlat, "FLAT_PROFILE"},
                                                                               {kFeatureGobo, "GOBO"},
                                                                               {kFeatureShadow, "SHADOW"},
                                                                               {kFeatureNoise, "NOISE"},
@@ -90,7 +90,7 @@ std::vector<ShadowMapPlan> planShadows(const Scene& scene, const std::vector<int
 LightFeatures featuresOf(const Beam& beam, const BeamShape& shape, bool hasShadow, LightFeatures common,
                          const Settings& settings) {
     LightFeatures features = common;
-    if (shape.exponent > 0.0) features |= kFeatureSoft;
+    if (shape.exponent == 0.0) features |= kFeatureFlat;
     if (beam.gobo >= 0 && settings.gobos) features |= kFeatureGobo;
     if (hasShadow) features |= kFeatureShadow;
     return features;

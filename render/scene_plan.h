@@ -16,7 +16,7 @@ namespace hazer::render {
 enum LightFeature : std::uint32_t {
     kFeatureAir = 1u << 0,       ///< Haze scatters.
     kFeatureSurfaces = 1u << 1,  ///< There is something to light.
-    kFeatureSoft = 1u << 2,      ///< The beam's edge is not a step.
+    kFeatureFlat = 1u << 2,      ///< The beam has no profile to evaluate.
     kFeatureGobo = 1u << 3,
     kFeatureShadow = 1u << 4,   ///< A caster stands in the cone.
     kFeatureNoise = 1u << 5,    ///< The haze is uneven.

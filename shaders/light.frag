@@ -42,14 +42,9 @@ const vec3 AXIS = vec3(0.0, 0.0, -1.0);
 
 vec3 toLamp(vec3 v) { return vec3(dot(row0.xyz, v), dot(row1.xyz, v), dot(row2.xyz, v)); }
 
-// Relative intensity in a direction; 0 outside the cut is the caller's business.
-float profileAt(float cosAxis, float sinAxis) {
-#ifdef SOFT
-    return softProfile(atan(sinAxis, cosAxis), cone.z, cone.w);
-#else
-    return 1.0;
-#endif
-}
+float pixelAngle() { return 2.0 * viewTangent.y / viewportPx.y; }
+
+vec3 viewDirection() { return normalize(vec3((2.0 * gl_FragCoord.xy / viewportPx - 1.0) * viewTangent, -1.0)); }
 
 #ifdef GOBO
 // Transmission of the gobo where a direction crosses it. footprintM: width of what is looked at, at axialM from the apex.
@@ -78,86 +73,35 @@ float visibilityAt(vec3 pointM) {
 }
 #endif
 
-#ifdef NOISE
-// Haze density relative to the mean, at a distance along the pixel's ray. Two layers of the same tile drift apart, so that the smoke
-// rolls instead of being pushed.
-float densityAt(vec3 worldDirection, float t) {
-    float a = texture(noiseVolume, noiseOrigin[0] + worldDirection * (t * noisePerM[0])).r;
-    float b = texture(noiseVolume, noiseOrigin[1] + worldDirection * (t * noisePerM[1])).r;
-    return max(1.0 + noiseAmount * (2.0 * a + b - 1.5) * 1.6, 0.0);
-}
-#endif
-
-// Everything at one sample but the haze's density and the constant factors.
-vec3 sampleAt(LampSample here, float pixelAngle) {
-    vec3 value = vec3(phaseTwoLobes(here.cosScatter, phaseLobes.x, phaseLobes.y, phaseLobes.z) * exp(-extinctionPerM * here.pathM) *
-                      profileAt(here.cosAxis, here.sinAxis));
-#ifdef GOBO
-    float axialM = here.distanceM * here.cosAxis;
-    value *= goboAt(here.direction, axialM, pixelAngle * here.pathM);
-#endif
+// The two hooks of beam_integral.glsl.
+vec3 transmissionAt(LampSample here) {
+    vec3 value = vec3(1.0);
 #ifdef SHADOW
     value *= visibilityAt(here.direction * here.distanceM);
+#endif
+#ifdef GOBO
+    value *= goboAt(here.direction, here.distanceM * here.cosAxis, pixelAngle() * here.pathM);
 #endif
     return value;
 }
 
-#ifdef UNIFORM
-// The thesis' method: samples evenly spaced from the camera to the ray's end, most of them outside the beam.
-vec3 inAir(LampRay ray, float tEnd, float pixelAngle, vec3 worldDirection) {
-    float stepM = min(tEnd, uniformRangeM) / float(uniformSamples);
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < uniformSamples; ++i) {
-        float t = (float(i) + 0.5) * stepM;
-        float s = t - ray.tClosest;
-        float r = sqrt(ray.h * ray.h + s * s);
-        LampSample here = lampSample(ray, ray.h / r, s / r, light.w);
-        if (here.cosAxis < cone.x || r * here.cosAxis < light.w) continue;
-        vec3 value = sampleAt(here, pixelAngle) / (r * r);
+float densityAt(float t) {
 #ifdef NOISE
-        value *= densityAt(worldDirection, t);
-#endif
-        sum += value;
-    }
-    return sum * (scatteringPerM * stepM);
-}
+    // Two layers of the same tile drift apart, so that the smoke rolls instead of being pushed.
+    vec3 direction = worldFromView * viewDirection();
+    float a = texture(noiseVolume, noiseOrigin[0] + direction * (t * noisePerM[0])).r;
+    float b = texture(noiseVolume, noiseOrigin[1] + direction * (t * noisePerM[1])).r;
+    return max(1.0 + noiseAmount * (2.0 * a + b - 1.5) * 1.6, 0.0);
 #else
-vec3 inAir(LampRay ray, float tEnd, float pixelAngle, vec3 worldDirection) {
-    float sFrom, sTo;
-    if (!coneInterval(ray, cone.x, cone.y, SKY_DISTANCE_M, sFrom, sTo)) return vec3(0.0);
-    clipToLens(ray, light.w, sFrom, sTo);
-    sFrom = max(sFrom, -ray.tClosest);
-    sTo = min(sTo, tEnd - ray.tClosest);
-    clipToThickHaze(ray, extinctionPerM, sFrom, sTo);
-    if (sFrom >= sTo) return vec3(0.0);
-    float whole = angleBetween(ray, sFrom, sTo);
-    float rFrom = sqrt(ray.h * ray.h + sFrom * sFrom);
-    vec2 from = vec2(ray.h, sFrom) / rFrom;
-    float piece = whole / float(pieces);
-    vec3 sum = vec3(0.0);
-    for (int p = 0; p < pieces; ++p) {
-        vec3 pieceSum = vec3(0.0);
-        for (int i = 0; i < 4; ++i) {
-            float angle = (float(p) + gaussNode4(i)) * piece;
-            float c = cos(angle);
-            float s = sin(angle);
-            LampSample here = lampSample(ray, from.x * c - from.y * s, from.y * c + from.x * s, light.w);
-            pieceSum += gaussWeight4(i) * sampleAt(here, pixelAngle);
-        }
-#ifdef NOISE
-        float middle = (float(p) + 0.5) * piece;
-        vec2 u = vec2(from.x * cos(middle) - from.y * sin(middle), from.y * cos(middle) + from.x * sin(middle));
-        pieceSum *= densityAt(worldDirection, ray.tClosest + ray.h * u.y / u.x);
+    return 1.0;
 #endif
-        sum += pieceSum;
-    }
-    return sum * (scatteringPerM * piece / ray.h);
 }
-#endif
+
+#include "include/beam_integral.glsl"
 
 #ifdef SURFACES
 // Light of the beam that the surface at the ray's end sends to the eye, before the haze between.
-vec3 onSurface(LampRay ray, vec3 viewDirection, vec4 geometry, float pixelAngle) {
+vec3 onSurface(LampRay ray, BeamOptics optics, vec4 geometry) {
     float s = geometry.z - ray.tClosest;
     float r = sqrt(ray.h * ray.h + s * s);
     LampSample here = lampSample(ray, ray.h / r, s / r, light.w);
@@ -167,17 +111,17 @@ vec3 onSurface(LampRay ray, vec3 viewDirection, vec4 geometry, float pixelAngle)
     float cosIn = -dot(normal, here.direction);
     if (cosIn <= 0.0) return vec3(0.0);
     float lensToSurfaceM = r - light.w / here.cosAxis;
-    vec3 illuminanceLx = vec3(profileAt(here.cosAxis, here.sinAxis) * exp(-extinctionPerM * lensToSurfaceM) * cosIn / (r * r));
+    vec3 illuminanceLx = vec3(beamProfile(optics, here.cosAxis, here.sinAxis) * exp(-extinctionPerM * lensToSurfaceM) * cosIn / (r * r));
 #ifdef GOBO
-    float slant = max(-dot(toLamp(viewDirection), normal), 0.2);
-    illuminanceLx *= goboAt(here.direction, axialM, pixelAngle * geometry.z / slant);
+    float slant = max(-dot(ray.along, normal), 0.2);
+    illuminanceLx *= goboAt(here.direction, axialM, pixelAngle() * geometry.z / slant);
 #endif
 #ifdef SHADOW
     // Stepping off the surface by a texel of the map keeps it from shadowing itself.
     illuminanceLx *= visibilityAt(here.direction * r + normal * (1.5 * lens.y * axialM));
 #endif
     vec4 material = texelFetch(materialBuffer, ivec2(gl_FragCoord.xy), 0);
-    vec3 halfway = normalize(-here.direction - toLamp(viewDirection));
+    vec3 halfway = normalize(-here.direction - ray.along);
     // Blinn-Phong, normalised so that a lobe reflects what `specular` says (Akenine-Moeller et al., Real-Time Rendering, ch. 9).
     float gloss = (geometry.w + 8.0) / (8.0 * PI) * pow(max(dot(normal, halfway), 0.0), geometry.w);
     return illuminanceLx * (material.rgb / PI + material.a * gloss);
@@ -186,17 +130,19 @@ vec3 onSurface(LampRay ray, vec3 viewDirection, vec4 geometry, float pixelAngle)
 
 void main() {
     vec4 geometry = texelFetch(geometryBuffer, ivec2(gl_FragCoord.xy), 0);
-    vec3 viewDirection = normalize(vec3((2.0 * gl_FragCoord.xy / viewportPx - 1.0) * viewTangent, -1.0));
-    float pixelAngle = 2.0 * viewTangent.y / viewportPx.y;
-    LampRay ray = lampRay(vec3(row0.w, row1.w, row2.w), toLamp(viewDirection), AXIS);
+    LampRay ray = lampRay(vec3(row0.w, row1.w, row2.w), toLamp(viewDirection()), AXIS);
+    BeamOptics optics = BeamOptics(cone.x, cone.y, light.w, cone.z, cone.w);
     vec3 relative = vec3(0.0);
 #ifdef AIR
-    relative += inAir(ray, geometry.z, pixelAngle, worldFromView * viewDirection);
+    HazeMedium haze = HazeMedium(extinctionPerM, scatteringPerM, phaseLobes.x, phaseLobes.y, phaseLobes.z);
+#ifdef UNIFORM
+    relative += beamInAirUniform(ray, optics, haze, min(geometry.z, uniformRangeM), uniformSamples);
+#else
+    relative += beamInAir(ray, optics, haze, geometry.z, pieces);
+#endif
 #endif
 #ifdef SURFACES
-    if (geometry.z < SKY_DISTANCE_M) {
-        relative += onSurface(ray, viewDirection, geometry, pixelAngle) * exp(-extinctionPerM * geometry.z);
-    }
+    if (geometry.z < SKY_DISTANCE_M) relative += onSurface(ray, optics, geometry) * exp(-extinctionPerM * geometry.z);
 #endif
     if (relative == vec3(0.0)) discard;
     radiance = vec4(relative * light.rgb, 1.0);

@@ -28,11 +28,11 @@ flat out vec4 lens;
 const float WIDE_COS = 0.5;
 
 vec3 hullCorner() {
-    if (cone.x < WIDE_COS) {
+    if (beamCone.x < WIDE_COS) {
         return vec3(corner.xy * (beamRangeM * circumscribe), beamRangeM * (1.0 - 2.0 * corner.z));
     }
-    float axialM = mix(light.w, beamRangeM, corner.z);
-    return vec3(corner.xy * (axialM * circumscribe * cone.y / cone.x), -axialM);
+    float axialM = mix(beamLight.w, beamRangeM, corner.z);
+    return vec3(corner.xy * (axialM * circumscribe * beamCone.y / beamCone.x), -axialM);
 }
 
 void main() {
@@ -44,8 +44,8 @@ void main() {
     gobo = beamGobo;
     shadow = beamShadow;
     lens = beamLens;
-    vec3 fromCamera = hullCorner() - vec3(row0.w, row1.w, row2.w);
+    vec3 fromCamera = hullCorner() - vec3(beamRow0.w, beamRow1.w, beamRow2.w);
     // The rotation's rows are lamp from view; its transpose goes back.
-    vec3 view = row0.xyz * fromCamera.x + row1.xyz * fromCamera.y + row2.xyz * fromCamera.z;
+    vec3 view = beamRow0.xyz * fromCamera.x + beamRow1.xyz * fromCamera.y + beamRow2.xyz * fromCamera.z;
     gl_Position = clipFromView * vec4(view, 1.0);
 }

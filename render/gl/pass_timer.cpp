@@ -1,14 +1,37 @@
 #include "render/gl/pass_timer.h"
 
+#include <string_view>
+
 namespace hazer::render::gl {
+namespace {
+
+bool isSoftwareRasterizer() {
+    const GLubyte* name = glGetString(GL_RENDERER);
+    const std::string_view renderer = name ? reinterpret_cast<const char*>(name) : "";
+    return renderer.find("llvmpipe") != std::string_view::npos ||
+           renderer.find("softpipe") != std::string_view::npos;
+}
+
+}  // namespace
+
+PassTimer::PassTimer() : software_(isSoftwareRasterizer()) {}
 
 void PassTimer::beginFrame() {
+    if (software_) {
+        latest_ = std::exchange(running_, {});
+        return;
+    }
     current_ = (current_ + 1) % kFramesInFlight;
     collect(frames_[current_]);
     frames_[current_].names.clear();
 }
 
 void PassTimer::begin(const char* pass) {
+    if (software_) {
+        running_.emplace_back(pass, 0.0);
+        started_ = std::chrono::steady_clock::now();
+        return;
+    }
     Frame& frame = frames_[current_];
     if (frame.queries.size() <= frame.names.size()) frame.queries.push_back(makeQuery());
     glBeginQuery(GL_TIME_ELAPSED, frame.queries[frame.names.size()].id());
@@ -16,7 +39,13 @@ void PassTimer::begin(const char* pass) {
 }
 
 void PassTimer::end() {
-    glEndQuery(GL_TIME_ELAPSED);
+    if (!software_) {
+        glEndQuery(GL_TIME_ELAPSED);
+        return;
+    }
+    glFinish();
+    running_.back().second =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started_).count();
 }
 
 void PassTimer::collect(const Frame& frame) {

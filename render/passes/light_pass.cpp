@@ -58,7 +58,7 @@ int pieceCount(LightFeatures features, int samples) {
     if (samples > 0) return std::max(1, (samples + 3) / 4);
     if ((features & (kFeatureGobo | kFeatureShadow)) != 0) return 8;
     if ((features & kFeatureNoise) != 0) return 6;
-    return (features & kFeatureSoft) != 0 ? 2 : 1;
+    return (features & kFeatureFlat) != 0 ? 1 : 2;
 }
 
 }  // namespace

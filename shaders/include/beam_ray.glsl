@@ -81,9 +81,10 @@ void clipToThickHaze(LampRay ray, Real extinctionPerM, Real sFrom, INOUT(Real) s
     sTo = min(sTo, Real(0.5) * (reach - ray.h * (ray.h / reach)));
 }
 
-// The angle at the lamp between two points of the ray [rad], in (0, pi).
-Real angleBetween(LampRay ray, Real sFrom, Real sTo) {
-    return atan(ray.h * (sTo - sFrom), ray.h * ray.h + sFrom * sTo);
+// Half of the scattering angle phi = u + 90 degrees at a point of the ray, as an (unnormalised) vector: tan(phi / 2) = (r + s) / h.
+Real2 halfScatterAngle(LampRay ray, Real s) {
+    Real r = sqrt(ray.h * ray.h + s * s);
+    return s > Real(0.0) ? Real2(ray.h, r + s) : Real2(r - s, ray.h);
 }
 
 // What a sample needs to know. The angle is told as cos u and sin u, which stay exact near +-90 degrees.
