@@ -1,0 +1,143 @@
+// The real program drawing: what it writes, and the mistakes that show only once it draws.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "app/paths.h"
+#include "protocol/sender.h"
+#include "render/image.h"
+#include "tests/support/datagram.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hazer::app {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::string kOneSpot = (showFolder() / "one-spot.toml").string();
+
+test::ProcessResult render(const std::string& show, std::vector<std::string> arguments,
+                           const std::map<std::string, std::string>& environment = {}) {
+    arguments.insert(arguments.begin(), {"render", show, "--size", "64x36"});
+    return test::runProcess(HAZER_PROGRAM, arguments, environment);
+}
+
+double brightest(const render::FloatImage& image) {
+    return *std::max_element(image.rgb.begin(), image.rgb.end());
+}
+
+class RenderTest : public ::testing::Test {
+ protected:
+    std::string fileIn(const std::string& name) const { return (folder_.path() / name).string(); }
+    const test::TemporaryFolder folder_;
+};
+
+TEST_F(RenderTest, writesTheLightOfTheScene) {
+    const std::string file = fileIn("new/folder/a.exr");
+    const test::ProcessResult lit = render(kOneSpot, {"--set", "spot1.Dimmer=1", "--out", file});
+    ASSERT_EQ(lit.exitCode, 0) << lit.errors;
+    EXPECT_EQ(lit.output, file + "\n");
+    const render::FloatImage image = render::readFloatImage(file);
+    EXPECT_EQ(image.width, 64);
+    EXPECT_EQ(image.height, 36);
+    EXPECT_GT(brightest(image), 10.0);
+}
+
+TEST_F(RenderTest, writesNumberedFrames) {
+    const test::ProcessResult result =
+        render(kOneSpot, {"--seconds", "0.12", "--fps", "25", "--out", fileIn("frame_%04d.png")});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_TRUE(std::filesystem::exists(fileIn("frame_0002.png")));
+    EXPECT_FALSE(std::filesystem::exists(fileIn("frame_0003.png")));
+}
+
+TEST_F(RenderTest, drawsWhatTheDeskSends) {
+    // A free port: bound, read, let go again.
+    const std::uint16_t port = test::OccupiedPort().port();
+    const std::string file = fileIn("a.exr");
+    protocol::Slots slots{};
+    slots.fill(128);
+    std::jthread desk([&](const std::stop_token& stop) {
+        protocol::ArtNetSender sender("127.0.0.1", port);
+        while (!stop.stop_requested()) {
+            // Nobody listens until the program has started: what the system says about that is no matter
+            // here.
+            try {
+                sender.send(0, slots);
+            } catch (const std::runtime_error&) {
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        }
+    });
+    const test::ProcessResult result = render(kOneSpot, {"--listen", "0.5", "--port", std::to_string(port),
+                                                         "--set", "spot1.Shutter1=1", "--out", file});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_GT(brightest(render::readFloatImage(file)), 1.0);
+}
+
+TEST_F(RenderTest, unknownFixtureAttributeAndCamera) {
+    const test::ProcessResult fixture =
+        render(kOneSpot, {"--set", "spot2.Dimmer=1", "--out", fileIn("a.png")});
+    EXPECT_EQ(fixture.exitCode, 2);
+    EXPECT_THAT(fixture.errors, HasSubstr("Did you mean 'spot1'?"));
+    const test::ProcessResult attribute =
+        render(kOneSpot, {"--set", "spot1.Tild=1", "--out", fileIn("a.png")});
+    EXPECT_EQ(attribute.exitCode, 2);
+    EXPECT_THAT(attribute.errors, HasSubstr("Did you mean 'Tilt'?"));
+    const test::ProcessResult camera = render(kOneSpot, {"--camera", "moon", "--out", fileIn("a.png")});
+    EXPECT_EQ(camera.exitCode, 2);
+    EXPECT_THAT(camera.errors, HasSubstr("no camera is named 'moon'"));
+    EXPECT_FALSE(std::filesystem::exists(fileIn("a.png")));
+}
+
+TEST_F(RenderTest, missingAndBrokenModel) {
+    const std::string show =
+        folder_.write("a.toml", "\n[[object]]\ntype='model'\nfile='chair.glb'\n").string();
+    const test::ProcessResult missing = render(show, {"--out", fileIn("a.png")});
+    EXPECT_EQ(missing.exitCode, 2);
+    EXPECT_THAT(missing.errors, StartsWith("hazer: " + show + ":2: "));
+    EXPECT_THAT(missing.errors, HasSubstr("chair.glb"));
+    folder_.write("chair.glb", "no model at all");
+    const test::ProcessResult broken = render(show, {"--out", fileIn("a.png")});
+    EXPECT_EQ(broken.exitCode, 2);
+    EXPECT_THAT(broken.errors, HasSubstr("chair.glb"));
+}
+
+TEST_F(RenderTest, aPlaceThatCannotBeWritten) {
+    const test::ProcessResult result = render(kOneSpot, {"--out", "/proc/nowhere/a.png"});
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_THAT(result.errors, HasSubstr("/proc/nowhere"));
+}
+
+TEST_F(RenderTest, aPortInUse) {
+    const test::OccupiedPort occupied;
+    const std::string port = std::to_string(occupied.port());
+    const test::ProcessResult result =
+        render(kOneSpot, {"--listen", "0.1", "--port", port, "--out", fileIn("a.png")});
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_THAT(result.errors, HasSubstr(port));
+}
+
+TEST_F(RenderTest, withoutOpenGl41) {
+    const test::ProcessResult result =
+        render(kOneSpot, {"--out", fileIn("a.png")}, {{"MESA_GL_VERSION_OVERRIDE", "3.3"}});
+    EXPECT_EQ(result.exitCode, 3);
+    EXPECT_THAT(result.errors, HasSubstr("4.1"));
+}
+
+TEST_F(RenderTest, missingShader) {
+    std::filesystem::create_directories(folder_.path() / "app");
+    std::filesystem::create_directories(folder_.path() / "shaders");
+    const std::string show = folder_.write("a.toml", "").string();
+    const test::ProcessResult result =
+        render(show, {"--out", fileIn("a.png")}, {{"HAZER_DATA", folder_.path().string()}});
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_THAT(result.errors, HasSubstr((folder_.path() / "shaders").string()));
+}
+
+}  // namespace
+}  // namespace hazer::app

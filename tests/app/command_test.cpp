@@ -1,0 +1,166 @@
+// The real program, run as a person would: exit codes, and sentences that say what to mend. Nothing here
+// reaches OpenGL.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "app/paths.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hazer::app {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+test::ProcessResult hazer(const std::vector<std::string>& arguments,
+                          const std::map<std::string, std::string>& environment = {}) {
+    return test::runProcess(HAZER_PROGRAM, arguments, environment);
+}
+
+/// One sentence on stderr, nothing on stdout, exit code 2.
+void expectBadInput(const test::ProcessResult& result, const std::string& file) {
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_EQ(result.output, "");
+    EXPECT_THAT(result.errors, AllOf(StartsWith("hazer: "), HasSubstr(file)));
+    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+}
+
+TEST(Program, helpBeginsWithExamples) {
+    for (const char* command : {"live", "demo", "render", "send", "inspect"}) {
+        const test::ProcessResult result = hazer({command, "--help"});
+        EXPECT_EQ(result.exitCode, 0);
+        EXPECT_THAT(result.output, StartsWith(fmt::format("Examples:\n  hazer {}", command)));
+    }
+    EXPECT_THAT(hazer({"--help"}).output, StartsWith("Examples:\n"));
+}
+
+TEST(Program, saysItsVersion) {
+    EXPECT_THAT(hazer({"--version"}).output, StartsWith("hazer 0."));
+}
+
+TEST(Program, wrongUsageIsExitCode1) {
+    EXPECT_EQ(hazer({}).exitCode, 1);
+    EXPECT_EQ(hazer({"paint"}).exitCode, 1);
+    EXPECT_EQ(hazer({"render"}).exitCode, 1);
+    EXPECT_EQ(hazer({"render", "a.toml", "--size", "0x10"}).exitCode, 1);
+    EXPECT_EQ(hazer({"render", "a.toml", "--out", "a.gif"}).exitCode, 1);
+    EXPECT_EQ(hazer({"render", "a.toml", "--set", "spot1"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--universe", "32768"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--pattern", "rainbow"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--slot", "513=1"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--slot", "1=256"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--port", "0"}).exitCode, 1);
+}
+
+TEST(Program, missingShow) {
+    expectBadInput(hazer({"render", "/nowhere/a.toml"}), "/nowhere/a.toml");
+    expectBadInput(hazer({"inspect", "/nowhere/a.toml"}), "/nowhere/a.toml");
+    expectBadInput(hazer({"live", "/nowhere/a.toml"}), "/nowhere/a.toml");
+}
+
+TEST(Program, brokenShow) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder.write("broken.toml", "title = \"a\"\n[haze\n").string();
+    expectBadInput(hazer({"render", file}), file + ":2");
+}
+
+TEST(Program, unknownKey) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder.write("a.toml", "\n[haze]\nextinctoin = 1\n").string();
+    expectBadInput(hazer({"render", file}), file + ":3: unknown key 'extinctoin'");
+}
+
+std::string showWith(const std::string& gdtf, const std::string& mode) {
+    return fmt::format("[[fixture]]\nname='a'\ngdtf='{}'\nmode='{}'\nuniverse=0\nslot=1\n", gdtf, mode);
+}
+
+TEST(Program, unknownFixtureAndMode) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder.write("a.toml", showWith("moving-sport", "Standard")).string();
+    expectBadInput(hazer({"inspect", file}), "moving-spot");
+    const std::string other = folder.write("b.toml", showWith("moving-spot", "Extended")).string();
+    expectBadInput(hazer({"inspect", other}), "Standard");
+}
+
+TEST(Program, brokenGdtf) {
+    const test::TemporaryFolder folder;
+    const std::string archive = folder.write("a.gdtf", "this is no archive").string();
+    expectBadInput(hazer({"inspect", archive}), "a.gdtf");
+    const std::string unpacked =
+        folder.write("b/description.xml", "<GDTF DataVersion=\"1.2\">").parent_path();
+    expectBadInput(hazer({"inspect", unpacked}), "b/description.xml");
+    const std::string show = folder.write("c.toml", showWith("a.gdtf", "Standard")).string();
+    expectBadInput(hazer({"inspect", show}), show + ":1: fixture 'a'");
+}
+
+TEST(Program, missingGdtf) {
+    expectBadInput(hazer({"inspect", "/nowhere/a.gdtf"}), "/nowhere/a.gdtf");
+}
+
+TEST(Program, aWindowNeedsADisplay) {
+    const test::ProcessResult result = hazer({"live"}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}});
+    EXPECT_EQ(result.exitCode, 3);
+    EXPECT_THAT(result.errors, AllOf(StartsWith("hazer: "), HasSubstr("hazer render")));
+}
+
+TEST(Inspect, showAsJson) {
+    const test::ProcessResult result =
+        hazer({"inspect", (showFolder() / "one-spot.toml").string(), "--json"});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    const nlohmann::json json = nlohmann::json::parse(result.output);
+    ASSERT_EQ(json["fixtures"].size(), 1u);
+    const nlohmann::json& fixture = json["fixtures"][0];
+    EXPECT_EQ(fixture["name"], "spot1");
+    EXPECT_EQ(fixture["gdtf"], "moving-spot");
+    EXPECT_EQ(fixture["protocol"], "artnet");
+    EXPECT_EQ(fixture["universe"], 0);
+    EXPECT_EQ(fixture["slots"]["Pan"].size(), 2u);
+    EXPECT_GE(fixture["slots"]["Dimmer"][0], 1);
+}
+
+TEST(Inspect, libraryFixtureAsJson) {
+    const test::ProcessResult result = hazer({"inspect", "moving-spot", "--json"});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    const nlohmann::json json = nlohmann::json::parse(result.output);
+    EXPECT_EQ(json["manufacturer"], "hazer");
+    const nlohmann::json& mode = json["modes"][0];
+    EXPECT_EQ(mode["name"], "Standard");
+    EXPECT_GT(mode["footprint"]["1"], 10);
+    ASSERT_EQ(mode["beams"].size(), 1u);
+    EXPECT_NEAR(mode["beams"][0]["direction"][2].get<double>(), -1.0, 1e-9);
+    EXPECT_LT(mode["beams"][0]["position_m"][2].get<double>(), -0.3);
+    EXPECT_GE(json["wheels"].size(), 2u);
+}
+
+TEST(Inspect, warnsAboutOverlaps) {
+    const test::TemporaryFolder folder;
+    std::string second = showWith("par-rgbw", "Standard");
+    second.replace(second.find("'a'"), 3, "'b'");
+    const std::string file = folder.write("a.toml", showWith("par-rgbw", "Standard") + second).string();
+    const test::ProcessResult result = hazer({"inspect", file});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_THAT(result.errors, HasSubstr("'a' and 'b' share slot 1 of universe 0"));
+}
+
+TEST(Send, endsAfterItsTime) {
+    const auto start = std::chrono::steady_clock::now();
+    const test::ProcessResult result = hazer({"send", "--port", "49152", "--seconds", "0.5", "--fps", "20"});
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_EQ(result.output, "10 packets sent\n");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(Send, refusesWhatIsNoAddress) {
+    const test::ProcessResult result = hazer({"send", "--to", "desk", "--seconds", "1"});
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_THAT(result.errors, HasSubstr("desk"));
+}
+
+}  // namespace
+}  // namespace hazer::app

@@ -1,0 +1,152 @@
+// Shows patched with fixtures of hazer's library: where beams point, and what mistakes are told.
+#include "app/patch.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/assignment.h"
+#include "app/fixture_library.h"
+
+namespace hazer::app {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::string fixtureText(const std::string& name, const std::string& gdtf, int slot,
+                        const std::string& more = "") {
+    return fmt::format("[[fixture]]\nname='{}'\ngdtf='{}'\nmode='Standard'\nuniverse=0\nslot={}\n{}\n", name,
+                       gdtf, slot, more);
+}
+
+Patch patchOf(const std::string& text) {
+    return Patch(parseShow(text, "folder/a.toml"));
+}
+
+std::string errorOf(const std::string& text) {
+    try {
+        patchOf(text);
+    } catch (const ShowError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+glm::dvec3 beamDirection(Patch& patch, const std::string& name) {
+    patch.settle();
+    return -glm::dvec3(patch.find(name)->fixture.state().beams.at(0).worldFromBeam[2]);
+}
+
+void expectDirection(const glm::dvec3& direction, const glm::dvec3& expected) {
+    EXPECT_NEAR(glm::distance(direction, glm::normalize(expected)), 0.0, 1e-3)
+        << fmt::format("points to ({:.3f}, {:.3f}, {:.3f})", direction.x, direction.y, direction.z);
+}
+
+TEST(Library, hasTheFixturesThatComeWithHazer) {
+    EXPECT_THAT(libraryFixtures(), Contains("moving-spot"));
+    EXPECT_THAT(libraryFixtures(), Contains("par-rgbw"));
+    EXPECT_FALSE(findLibraryFixture("../library/moving-spot")) << "a name must not lead out of the library";
+}
+
+TEST(Patch, hungFixtureShinesDown) {
+    Patch patch = patchOf(fixtureText("a", "moving-spot", 1));
+    expectDirection(beamDirection(patch, "a"), {0.0, 0.0, -1.0});
+}
+
+TEST(Patch, tiltTurnsAboutTheFixturesX) {
+    // GDTF: a positive turn about +X takes the downward beam (-Z) towards +Y.
+    Patch patch = patchOf(fixtureText("a", "moving-spot", 1, "set={Tilt=45}"));
+    expectDirection(beamDirection(patch, "a"), {0.0, 1.0, -1.0});
+}
+
+TEST(Patch, panTurnsAboutTheFixturesZ) {
+    Patch patch = patchOf(fixtureText("a", "moving-spot", 1, "set={Pan=90, Tilt=45}"));
+    expectDirection(beamDirection(patch, "a"), {-1.0, 0.0, -1.0});
+}
+
+TEST(Patch, aStandingFixtureShinesUp) {
+    Patch patch = patchOf(fixtureText("a", "moving-spot", 1, "rotation=[180,0,0]\nset={Tilt=30}"));
+    expectDirection(beamDirection(patch, "a"), {0.0, -0.5, std::sqrt(0.75)});
+}
+
+TEST(Patch, positionMovesTheLens) {
+    Patch low = patchOf(fixtureText("a", "moving-spot", 1));
+    Patch high = patchOf(fixtureText("a", "moving-spot", 1, "position=[1,2,6]"));
+    const auto lens = [](Patch& patch) {
+        return glm::dvec3(patch.find("a")->fixture.state().beams.at(0).worldFromBeam[3]);
+    };
+    EXPECT_NEAR(glm::distance(lens(high) - lens(low), glm::dvec3(1.0, 2.0, 6.0)), 0.0, 1e-9);
+}
+
+TEST(Patch, decodesTheUniverseOfEachFixture) {
+    Patch patch = patchOf(fixtureText("a", "par-rgbw", 1));
+    protocol::UniverseSet universes;
+    universes[{protocol::Transport::kArtNet, 1}].slots.fill(255);
+    patch.decode(universes);
+    EXPECT_EQ(patch.find("a")->fixture.state().beams.at(0).fluxLm, 0.0) << "universe 1 is another's";
+    universes[{protocol::Transport::kArtNet, 0}].slots.fill(255);
+    patch.decode(universes);
+    EXPECT_NEAR(patch.find("a")->fixture.value("Dimmer").value(), 1.0, 1e-6);
+}
+
+TEST(Patch, listsTheLibrary) {
+    const std::string error = errorOf("\n" + fixtureText("a", "moving-spt", 1));
+    EXPECT_THAT(error, StartsWith("folder/a.toml:2: fixture 'a': there is no GDTF 'moving-spt'"));
+    EXPECT_THAT(error, HasSubstr("Did you mean 'moving-spot'?"));
+}
+
+TEST(Patch, listsTheModes) {
+    const std::string error =
+        errorOf("[[fixture]]\nname='a'\ngdtf='moving-spot'\nmode='Extended'\nuniverse=0\nslot=1");
+    EXPECT_THAT(error, StartsWith("folder/a.toml:1: fixture 'a': "));
+    EXPECT_THAT(error, HasSubstr("Standard"));
+}
+
+TEST(Patch, refusesAFixtureThatDoesNotFitItsUniverse) {
+    EXPECT_THAT(errorOf(fixtureText("a", "moving-spot", 510)), StartsWith("folder/a.toml:1: fixture 'a': "));
+}
+
+TEST(Patch, listsTheAttributesThatCanBeSet) {
+    const std::string error = errorOf(fixtureText("a", "moving-spot", 1, "set={Dimer=1}"));
+    EXPECT_THAT(error, HasSubstr("mode 'Standard' has no attribute 'Dimer'. Did you mean 'Dimmer'?"));
+}
+
+TEST(Patch, overlapsAreFoundOnce) {
+    const Patch patch = patchOf(fixtureText("a", "par-rgbw", 1) + fixtureText("b", "par-rgbw", 2) +
+                                fixtureText("c", "par-rgbw", 100));
+    EXPECT_THAT(patch.overlaps(), ElementsAre("'a' and 'b' share slot 2 of universe 0"));
+}
+
+TEST(Assign, holdsAValueByHand) {
+    Patch patch = patchOf(fixtureText("spot.1", "moving-spot", 1));
+    assign("spot.1.Tilt=30", patch);
+    EXPECT_EQ(patch.find("spot.1")->fixture.value("Tilt"), 30.0);
+}
+
+TEST(Assign, saysWhatThereIs) {
+    Patch patch = patchOf(fixtureText("spot1", "moving-spot", 1));
+    const auto errorOfAssign = [&](const std::string& text) -> std::string {
+        try {
+            assign(text, patch);
+        } catch (const std::runtime_error& error) {
+            return error.what();
+        }
+        return "no error";
+    };
+    EXPECT_THAT(errorOfAssign("spot2.Tilt=1"), HasSubstr("Did you mean 'spot1'?"));
+    EXPECT_THAT(errorOfAssign("spot1.Tild=1"), HasSubstr("Did you mean 'Tilt'?"));
+}
+
+TEST(Assign, isCheckedBeforeAnythingIsOpened) {
+    EXPECT_EQ(checkAssignment("spot1.Tilt=-30.5"), "");
+    for (const char* text : {"", "spot1", "spot1.Tilt", "spot1.Tilt=", "spot1.Tilt=a", "spot1.Tilt=1x",
+                             ".Tilt=1", "spot1.=1", "Tilt=1", "spot1.Tilt=nan", "spot1.Tilt=inf"}) {
+        EXPECT_NE(checkAssignment(text), "") << text;
+    }
+}
+
+}  // namespace
+}  // namespace hazer::app
