@@ -27,6 +27,10 @@ std::map<int, int> footprints(const fixtures::DmxMode& mode) {
     return slots;
 }
 
+std::string firstAttribute(const fixtures::DmxChannel& channel) {
+    return channel.logicalChannels.empty() ? "NoFeature" : channel.logicalChannels.front().attribute;
+}
+
 Json describeFunction(const fixtures::ChannelFunction& function) {
     return {{"name", function.name},
             {"attribute", function.attribute},
@@ -44,8 +48,7 @@ Json describeChannel(const fixtures::DmxChannel& channel) {
         }
     }
     return {{"geometry", channel.geometry},
-            {"attribute",
-             channel.logicalChannels.empty() ? "NoFeature" : channel.logicalChannels.front().attribute},
+            {"attribute", firstAttribute(channel)},
             {"break", channel.dmxBreak},
             {"offsets", channel.offsets},
             {"functions", std::move(functions)}};
@@ -129,9 +132,8 @@ std::string summarizeFixtureType(const fixtures::FixtureType& type) {
     for (const fixtures::DmxMode& mode : type.modes) {
         fmt::format_to(out, "  mode '{}': {} slots\n", mode.name, mode.footprint);
         for (const fixtures::DmxChannel& channel : mode.channels) {
-            const Json described = describeChannel(channel);
-            fmt::format_to(out, "    {:>7}  {} ({})\n", fmt::join(channel.offsets, ","),
-                           described["attribute"].get<std::string>(), channel.geometry);
+            fmt::format_to(out, "    {:>11}  {} ({})\n", fmt::format("{}", fmt::join(channel.offsets, ",")),
+                           firstAttribute(channel), channel.geometry);
         }
     }
     for (const fixtures::Wheel& wheel : type.wheels) {
