@@ -6,6 +6,7 @@
 #include "render/error.h"
 #ifdef HAZER_HAS_WINDOW
 #include "app/window.h"
+#include "app/window_loop.h"
 #endif
 
 namespace hazer::app {
@@ -24,7 +25,8 @@ bool hasDisplay() {
     return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY");
 }
 
-int showInWindow(Show show, const SessionOptions& options, const std::function<void(Session&)>& started) {
+int showInWindow(Show show, const SessionOptions& options, const std::function<void(Session&)>& started,
+                 std::optional<int> frames) {
     if (!hasDisplay()) {
         throw render::NoGlError(
             "there is no display for a window (DISPLAY and WAYLAND_DISPLAY are empty); 'hazer render' draws "
@@ -33,7 +35,7 @@ int showInWindow(Show show, const SessionOptions& options, const std::function<v
     Window window(show.title);
     Session session(std::move(show), options);
     if (started) started(session);
-    return runWindow(window, session);
+    return runWindow(window, session, frames);
 }
 
 #else
@@ -42,7 +44,7 @@ bool hasDisplay() {
     return false;
 }
 
-int showInWindow(Show, const SessionOptions&, const std::function<void(Session&)>&) {
+int showInWindow(Show, const SessionOptions&, const std::function<void(Session&)>&, std::optional<int>) {
     throw render::NoGlError(
         "this hazer was built without a window (HAZER_WINDOW=OFF); 'hazer render' draws pictures without "
         "one");

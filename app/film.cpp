@@ -1,8 +1,8 @@
 #include "app/film.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -34,15 +34,18 @@ bool canMakeFilms() {
     return findProgram("ffmpeg").has_value();
 }
 
-/// The ffmpeg process and the pipe into it.
+/// The ffmpeg process and the socket into it. A socket and not a pipe, as writing into a pipe that nobody
+/// reads ends the whole program by a signal.
 struct Film::Encoder {
     pid_t process = -1;
-    int pipe = -1;
+    int input = -1;
 
     Encoder(const std::filesystem::path& program, std::vector<std::string> arguments) {
         std::array<int, 2> ends{};
         // Closed on exec, or the encoder would hold its own input open and never see the end of it.
-        if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe to ffmpeg could be made");
+        if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+            throw std::runtime_error("no connection to ffmpeg could be made");
+        }
         std::vector<char*> pointers;
         for (std::string& argument : arguments) pointers.push_back(argument.data());
         pointers.push_back(nullptr);
@@ -52,9 +55,9 @@ struct Film::Encoder {
         const int error = posix_spawn(&process, program.c_str(), &actions, nullptr, pointers.data(), environ);
         posix_spawn_file_actions_destroy(&actions);
         close(ends[0]);
-        pipe = ends[1];
+        input = ends[1];
         if (error == 0) return;
-        close(pipe);
+        close(input);
         throw std::runtime_error(
             fmt::format("{} cannot be started: {}", program.string(), std::strerror(error)));
     }
@@ -65,7 +68,7 @@ struct Film::Encoder {
 
     bool write(const std::uint8_t* bytes, std::size_t count) const {
         while (count > 0) {
-            const ssize_t written = ::write(pipe, bytes, count);
+            const ssize_t written = send(input, bytes, count, MSG_NOSIGNAL);
             if (written < 0 && errno == EINTR) continue;
             if (written <= 0) return false;
             bytes += written;
@@ -77,7 +80,7 @@ struct Film::Encoder {
     /// Ends the input and gives ffmpeg's exit status; 0 if it has been asked before.
     int wait() {
         if (process < 0) return 0;
-        close(pipe);
+        close(input);
         int status = 0;
         waitpid(std::exchange(process, -1), &status, 0);
         return status;

@@ -4,7 +4,6 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 
 #include "app/commands/command.h"
 #include "render/error.h"
@@ -37,8 +36,6 @@ int run(const Command& command) {
 
 int main(int argumentCount, char** arguments) {
     logToStandardError();
-    // A reader that leaves early (head, a film encoder) must not end us before we can say so.
-    std::signal(SIGPIPE, SIG_IGN);
     CLI::App program("See the show before the rig is hung: DMX in, light in the air out.", "hazer");
     beginHelpWith(
         program,

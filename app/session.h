@@ -66,6 +66,9 @@ class Session {
     void setTime(double timeS) { timeS_ = timeS; }  ///< Jumps; mechanics stay where they are.
     const FrameTimes& frameTimes() const { return frameTimes_; }
 
+    /// What had arrived when the last frame took its universes.
+    const protocol::UniverseSet& universes() const { return latched_; }
+
     /// What all receivers together have seen; zeros if nothing listens.
     protocol::ReceiverCounters counters() const;
 

@@ -14,12 +14,13 @@ namespace {
 struct LiveOptions {
     std::string show;
     std::optional<std::uint16_t> port;
+    std::optional<int> frames;
 };
 
 int runLive(const LiveOptions& options) {
     const std::filesystem::path file =
         options.show.empty() ? showFolder() / "one-spot.toml" : std::filesystem::path(options.show);
-    return showInWindow(loadShow(file), {.listen = true, .port = options.port}, {});
+    return showInWindow(loadShow(file), {.listen = true, .port = options.port}, {}, options.frames);
 }
 
 }  // namespace
@@ -35,6 +36,9 @@ void addLiveCommand(CLI::App& program, Command& chosen) {
     command->add_option("SHOW", options->show, "The show file (.toml); a single moving spot unless given");
     command->add_option("--port", options->port, "UDP port instead of those of the show's inputs")
         ->check(CLI::Range(1, 65535));
+    command->add_option("--frames", options->frames, "Close after this many pictures, for tests")
+        ->check(CLI::PositiveNumber)
+        ->group("");  // not shown in --help
     command->callback([options, &chosen] { chosen = [options] { return runLive(*options); }; });
 }
 

@@ -1,0 +1,39 @@
+// How finely the picture is drawn: at the window's own pixels, or coarser where the machine is slow.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace hazer::app {
+
+/// Pixels drawn per pixel shown, along each edge. Follows the frame time unless a person sets it.
+class WindowResolution {
+ public:
+    bool isAutomatic() const { return isAutomatic_; }
+    void setAutomatic(bool isAutomatic);
+
+    double factor() const { return factor_; }
+
+    /// kMinFactor..1; switches the automatic off.
+    void setFactor(double factor);
+
+    /// Takes the time of a frame that was drawn with factor(). The automatic waits for a few frames, then
+    /// goes coarser above kSlowMs, or finer where that would stay well below it.
+    void add(double frameMs);
+
+    /// The size to draw, at least 1 x 1, for a framebuffer of `shown` pixels.
+    glm::ivec2 drawnSize(const glm::ivec2& shown) const;
+
+    static constexpr double kMinFactor = 0.25;
+    static constexpr double kSlowMs = 50.0;
+
+ private:
+    void judge(double frameMs);
+
+    static constexpr int kFramesPerDecision = 4;
+    bool isAutomatic_ = true;
+    double factor_ = 1.0;
+    double fastestMs_ = 0.0;  ///< Of the frames since the last decision.
+    int frames_ = 0;          ///< Since the last decision.
+};
+
+}  // namespace hazer::app
