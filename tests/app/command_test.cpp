@@ -94,7 +94,7 @@ TEST(Program, brokenGdtf) {
     expectBadInput(hazer({"inspect", archive}), "a.gdtf");
     const std::string unpacked =
         folder.write("b/description.xml", "<GDTF DataVersion=\"1.2\">").parent_path();
-    expectBadInput(hazer({"inspect", unpacked}), "b/description.xml");
+    expectBadInput(hazer({"inspect", unpacked}), "/b: description.xml is broken in line 1");
     const std::string show = folder.write("c.toml", showWith("a.gdtf", "Standard")).string();
     expectBadInput(hazer({"inspect", show}), show + ":1: fixture 'a'");
 }

@@ -58,6 +58,9 @@ class Wire {
     render::FloatImage draw(const Levels& levels) {
         const PatchedFixture& lamp = *session_.patch().find("lamp");
         protocol::Slots slots{};
+        // Slots of 0 would turn a head as far as it goes; unless told otherwise it shall point down.
+        lamp.fixture.encode("Pan", 0.0, slots);
+        lamp.fixture.encode("Tilt", 0.0, slots);
         for (const auto& [attribute, value] : levels) {
             EXPECT_TRUE(lamp.fixture.encode(attribute, value, slots)) << attribute;
         }
