@@ -48,7 +48,7 @@ vec3 viewDirection() { return normalize(vec3((2.0 * gl_FragCoord.xy / viewportPx
 
 #ifdef GOBO
 // Transmission of the gobo where a direction crosses it. footprintM: width of what is looked at, at axialM from the apex.
-vec3 goboAt(vec3 direction, float axialM, float footprintM) {
+vec3 goboAt(vec3 direction, float axialM, float footprintM, bool blendLevels) {
     vec2 tangent = direction.xy / -direction.z;
     vec2 q = vec2(gobo.y * tangent.x + gobo.z * tangent.y, gobo.y * tangent.y - gobo.z * tangent.x);
     float size = float(textureSize(goboImages, 0).x);
@@ -57,8 +57,10 @@ vec3 goboAt(vec3 direction, float axialM, float footprintM) {
         // Circle of confusion on the gobo, as a tangent: exit pupil times the error of vergence (thin lens).
         blurM = max(blurM, 2.0 * lens.x * abs(1.0 / max(axialM - light.w, 1e-3) - gobo.w));
     }
-    float texels = blurM * length(gobo.yz) * 0.5 * size;
-    return textureLod(goboImages, vec3(0.5 + 0.5 * q.x, 0.5 - 0.5 * q.y, gobo.x), log2(max(texels, 1.0))).rgb;
+    float level = log2(max(blurM * length(gobo.yz) * 0.5 * size, 1.0));
+    // Many taps in the air blend by themselves: the nearest level is enough there, at half the fetches.
+    if (!blendLevels) level = floor(level + 0.5);
+    return textureLod(goboImages, vec3(0.5 + 0.5 * q.x, 0.5 - 0.5 * q.y, gobo.x), level).rgb;
 }
 #endif
 
@@ -80,7 +82,7 @@ vec3 transmissionAt(LampSample here) {
     value *= visibilityAt(here.direction * here.distanceM);
 #endif
 #ifdef GOBO
-    value *= goboAt(here.direction, here.distanceM * here.cosAxis, pixelAngle() * here.pathM);
+    value *= goboAt(here.direction, here.distanceM * here.cosAxis, pixelAngle() * here.pathM, false);
 #endif
     return value;
 }
@@ -114,7 +116,7 @@ vec3 onSurface(LampRay ray, BeamOptics optics, vec4 geometry) {
     vec3 illuminanceLx = vec3(beamProfile(optics, here.cosAxis, here.sinAxis) * exp(-extinctionPerM * lensToSurfaceM) * cosIn / (r * r));
 #ifdef GOBO
     float slant = max(-dot(ray.along, normal), 0.2);
-    illuminanceLx *= goboAt(here.direction, axialM, pixelAngle() * geometry.z / slant);
+    illuminanceLx *= goboAt(here.direction, axialM, pixelAngle() * geometry.z / slant, true);
 #endif
 #ifdef SHADOW
     // Stepping off the surface by a texel of the map keeps it from shadowing itself.
