@@ -12,6 +12,7 @@
 #include "render/gobo_store.h"
 #include "render/mesh_store.h"
 #include "render/passes/ambient_pass.h"
+#include "render/passes/antialias_pass.h"
 #include "render/passes/bloom_pass.h"
 #include "render/passes/light_pass.h"
 #include "render/passes/shadow_pass.h"
@@ -51,10 +52,12 @@ struct Renderer::Impl {
           ambient(shaderFolder),
           lights(shaderFolder),
           bloom(shaderFolder),
-          toneMap(shaderFolder) {}
+          toneMap(shaderFolder),
+          antialias(shaderFolder) {}
 
     void resize(int newWidth, int newHeight);
-    void drawDisplay();
+    void drawToneMap();
+    void drawAntialias();
 
     template <typename Draw>
     void pass(const char* name, Draw draw) {
@@ -72,9 +75,12 @@ struct Renderer::Impl {
     LightPass lights;
     BloomPass bloom;
     ToneMapPass toneMap;
+    AntialiasPass antialias;
     gl::PassTimer timer;
     gl::Texture radiance;
     gl::Framebuffer radianceTarget;
+    gl::Texture toneMapped;
+    gl::Framebuffer toneMapTarget;
     gl::Texture display;
     gl::Framebuffer displayTarget;
     int width = 0;
@@ -99,14 +105,21 @@ void Renderer::Impl::resize(int newWidth, int newHeight) {
     // 32-bit floats: a lens is ten million times brighter than the haze, and hundreds of beams are added up.
     radiance = gl::makeTexture2d(GL_RGBA32F, width, height, GL_LINEAR);
     radianceTarget = gl::makeFramebufferFor({radiance.id()}, surfaces.depth());
+    toneMapped = gl::makeTexture2d(GL_RGBA8, width, height, GL_LINEAR);
+    toneMapTarget = gl::makeFramebufferFor({toneMapped.id()});
     display = gl::makeTexture2d(GL_RGBA8, width, height, GL_LINEAR);
     displayTarget = gl::makeFramebufferFor({display.id()});
 }
 
-void Renderer::Impl::drawDisplay() {
-    glBindFramebuffer(GL_FRAMEBUFFER, displayTarget.id());
+void Renderer::Impl::drawToneMap() {
+    glBindFramebuffer(GL_FRAMEBUFFER, toneMapTarget.id());
     glViewport(0, 0, width, height);
     toneMap.draw(radiance.id(), hasBloom ? bloom.texture() : 0, width, height, exposureEv100);
+}
+
+void Renderer::Impl::drawAntialias() {
+    glBindFramebuffer(GL_FRAMEBUFFER, displayTarget.id());
+    antialias.draw(toneMapped.id(), width, height);
 }
 
 Renderer::Renderer(std::filesystem::path shaderFolder) {
@@ -144,7 +157,8 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     r.pass("beams", [&] { r.lights.drawBeams(lights); });
     if (plan.lenses) r.pass("lenses", [&] { r.lights.drawLenses(lights); });
     if (plan.bloom) r.pass("bloom", [&] { r.bloom.draw(r.radiance.id()); });
-    r.pass("tone map", [&] { r.drawDisplay(); });
+    r.pass("tone map", [&] { r.drawToneMap(); });
+    r.pass("antialias", [&] { r.drawAntialias(); });
 }
 
 FloatImage Renderer::readRadiance() const {

@@ -48,7 +48,7 @@ vec3 viewDirection() { return normalize(vec3((2.0 * gl_FragCoord.xy / viewportPx
 
 #ifdef GOBO
 // Transmission of the gobo where a direction crosses it. footprintM: width of what is looked at, at axialM from the apex.
-vec3 goboAt(vec3 direction, float axialM, float footprintM, bool blendLevels) {
+vec3 goboAt(vec3 direction, float axialM, float footprintM, bool onSurface) {
     vec2 tangent = direction.xy / -direction.z;
     vec2 q = vec2(gobo.y * tangent.x + gobo.z * tangent.y, gobo.y * tangent.y - gobo.z * tangent.x);
     float size = float(textureSize(goboImages, 0).x);
@@ -57,10 +57,15 @@ vec3 goboAt(vec3 direction, float axialM, float footprintM, bool blendLevels) {
         // Circle of confusion on the gobo, as a tangent: exit pupil times the error of vergence (thin lens).
         blurM = max(blurM, 2.0 * lens.x * abs(1.0 / max(axialM - light.w, 1e-3) - gobo.w));
     }
-    float level = log2(max(blurM * length(gobo.yz) * 0.5 * size, 1.0));
-    // Many taps in the air blend by themselves: the nearest level is enough there, at half the fetches.
-    if (!blendLevels) level = floor(level + 0.5);
-    return textureLod(goboImages, vec3(0.5 + 0.5 * q.x, 0.5 - 0.5 * q.y, gobo.x), level).rgb;
+    float texels = max(blurM * length(gobo.yz) * 0.5 * size, 1.0);
+    vec2 uv = 0.5 + 0.5 * vec2(q.x, -q.y);
+    if (!onSurface) return textureLod(goboImages, vec3(uv, gobo.x), log2(texels)).rgb;
+    // A blurred edge drawn large shows the steps of a single coarse texel; four taps one level finer round them off.
+    float level = max(log2(texels) - 1.0, 0.0);
+    float apart = 0.5 * (texels - 1.0) / size;
+    return 0.25 * (textureLod(goboImages, vec3(uv + apart, gobo.x), level).rgb + textureLod(goboImages, vec3(uv - apart, gobo.x), level).rgb +
+                   textureLod(goboImages, vec3(uv + vec2(apart, -apart), gobo.x), level).rgb +
+                   textureLod(goboImages, vec3(uv - vec2(apart, -apart), gobo.x), level).rgb);
 }
 #endif
 
