@@ -14,6 +14,9 @@ namespace {
 constexpr double kBeatS = 0.5;
 constexpr double kBarS = 4.0 * kBeatS;
 
+/// Sharp at 10 m from the lens, where most gobos meet a surface.
+constexpr double kSpotFocus = 0.8;
+
 /// How long a section takes to become the next one [s]. The new look is complete on its downbeat.
 constexpr double kCrossfadeS = 1.5;
 
@@ -456,6 +459,7 @@ void appendEmitters(const Emitters& emitters, std::vector<AttributeValue>& value
 
 void appendSpot(const Look& look, std::vector<AttributeValue>& values) {
     values.push_back({"Zoom", look.zoomDeg});
+    values.push_back({"Focus1", kSpotFocus});
     values.push_back({"Color1", static_cast<double>(look.color)});
     values.push_back({"Gobo1", static_cast<double>(look.gobo)});
     values.push_back({"Gobo1PosRotate", look.goboSpeedDegPerS});
