@@ -30,7 +30,7 @@ struct WindowState {
     Ball stage;
     SceneControls controlsOfShow;          ///< As the show file has them, to go back to.
     std::size_t selected = 0;              ///< Index of a fixture in the patch, if it has any.
-    std::map<std::string, int> lastGobos;  ///< By fixture: the slot that "gobo" switches back on.
+    std::map<std::string, int> lastGobos;  ///< By fixture/attribute: the slot that "gobo" switches back on.
     bool showsPanels = true;
     bool showsHelp = false;
 };

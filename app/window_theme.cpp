@@ -37,8 +37,9 @@ void setColors(ImGuiStyle& style) {
     const ImVec4 field{0.20f, 0.20f, 0.21f, 1.0f};
     const ImVec4 fieldHovered{0.27f, 0.27f, 0.29f, 1.0f};
     const ImVec4 fieldActive{0.33f, 0.33f, 0.35f, 1.0f};
-    const ImVec4 handle{0.62f, 0.62f, 0.64f, 1.0f};
-    const ImVec4 handleActive{0.85f, 0.85f, 0.87f, 1.0f};
+    // Slider handles are see-through: the value is written behind them.
+    const ImVec4 handle{0.75f, 0.75f, 0.78f, 0.40f};
+    const ImVec4 handleActive{0.90f, 0.90f, 0.92f, 0.60f};
     ImGui::StyleColorsDark(&style);
     style.Colors[ImGuiCol_WindowBg] = panel;
     style.Colors[ImGuiCol_PopupBg] = {panel.x, panel.y, panel.z, 0.97f};
@@ -51,9 +52,10 @@ void setColors(ImGuiStyle& style) {
     for (const int which : {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_HeaderActive}) {
         style.Colors[which] = fieldActive;
     }
-    for (const int which : {ImGuiCol_SliderGrab, ImGuiCol_CheckMark, ImGuiCol_PlotLines}) {
-        style.Colors[which] = handle;
-    }
+    style.Colors[ImGuiCol_SliderGrab] = handle;
+    const ImVec4 mark{0.85f, 0.85f, 0.87f, 1.0f};
+    style.Colors[ImGuiCol_CheckMark] = mark;
+    style.Colors[ImGuiCol_PlotLines] = mark;
     style.Colors[ImGuiCol_SliderGrabActive] = handleActive;
 }
 

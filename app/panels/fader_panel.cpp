@@ -47,10 +47,11 @@ void drawFader(const Fader& fader, fixtures::Fixture& fixture, WindowState& stat
                WindowThumbnails& thumbnails) {
     if (fader.wheel == nullptr) {
         drawSliderRow(fader, fixture, state.held);
-        return;
+    } else if (fader.group == FaderGroup::kGobo) {
+        drawGoboWheelRow(fader, fixture, state.held, thumbnails, state.lastGobos);
+    } else {
+        drawColorWheelRow(fader, fixture, state.held, thumbnails);
     }
-    drawWheelRow(fader, fixture, state.held, thumbnails);
-    if (fader.group == FaderGroup::kGobo) drawGoboSwitchRow(fader, fixture, state.held, state.lastGobos);
 }
 
 void drawGroup(FaderGroup group, const std::vector<Fader>& faders, fixtures::Fixture& fixture,

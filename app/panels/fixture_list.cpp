@@ -41,12 +41,11 @@ void drawFixtureList(Patch& patch, WindowState& state) {
     constexpr std::size_t kVisibleRows = 9;
     const auto rows = static_cast<float>(std::min(kVisibleRows, patch.fixtures().size()));
     const float height = (rows + 1.5f) * ImGui::GetTextLineHeightWithSpacing();
-    if (ImGui::BeginTable("fixtures", 3, ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp,
-                          {0.0f, height})) {
+    if (ImGui::BeginTable("fixtures", 3, ImGuiTableFlags_ScrollY, {0.0f, height})) {
         ImGui::TableSetupScrollFreeze(0, 1);
-        ImGui::TableSetupColumn("fixture");
-        ImGui::TableSetupColumn("type");
-        ImGui::TableSetupColumn("universe.slot");
+        ImGui::TableSetupColumn("fixture", ImGuiTableColumnFlags_WidthStretch, 1.0f);
+        ImGui::TableSetupColumn("type", ImGuiTableColumnFlags_WidthStretch, 1.0f);
+        ImGui::TableSetupColumn("universe.slot", ImGuiTableColumnFlags_WidthStretch, 0.8f);
         ImGui::TableHeadersRow();
         for (std::size_t i = 0; i < patch.fixtures().size(); ++i) drawFixture(patch.fixtures()[i], i, state);
         ImGui::EndTable();

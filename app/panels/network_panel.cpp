@@ -21,7 +21,7 @@ void drawCounter(const char* name, std::uint64_t count, const char* meaning) {
 }
 
 void drawCounters(const protocol::ReceiverCounters& counters) {
-    if (!ImGui::BeginTable("counters", 2, ImGuiTableFlags_SizingStretchProp)) return;
+    if (!ImGui::BeginTable("counters", 2, ImGuiTableFlags_SizingStretchSame)) return;
     drawCounter("DMX packets", counters.dmx, "ArtDmx that was taken");
     drawCounter("late", counters.late, "ArtDmx that came after a newer one");
     drawCounter("polls", counters.polls, "ArtPoll that was answered");

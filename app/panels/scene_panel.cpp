@@ -38,7 +38,7 @@ void drawHazeControls(SceneControls& controls, const SceneControls& ofShow) {
     }
     ImGui::SliderFloat("smoke", &haze.noise.amount, 0.0f, 1.0f, "%.2f", kLinear);
     ImGui::SliderFloat("swirl size", &haze.noise.scaleM, 0.2f, 20.0f, "%.1f m", kLogarithmic);
-    ImGui::SliderFloat3("wind", &haze.noise.windMps.x, -2.0f, 2.0f, "%.2f m/s", kLinear);
+    ImGui::SliderFloat3("wind [m/s]", &haze.noise.windMps.x, -2.0f, 2.0f, "%.2f", kLinear);
     if (ImGui::Button("as in the show##haze")) haze = ofShow.haze;
 }
 

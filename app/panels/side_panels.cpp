@@ -42,6 +42,7 @@ void drawFixtureColumn(Session& session, WindowState& state, WindowThumbnails& t
 }
 
 void drawSceneColumn(Session& session, WindowState& state) {
+    ImGui::TextDisabled("H: help    Tab: panels");
     ImGui::PushItemWidth(0.58f * ImGui::GetContentRegionAvail().x);
     if (beginSection("Haze")) drawHazeControls(session.controls(), state.controlsOfShow);
     if (beginSection("Scene")) drawSetControls(session.controls(), state.controlsOfShow);

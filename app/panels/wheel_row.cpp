@@ -40,38 +40,46 @@ void placeNext(float edge, float gap, float right) {
     if (ImGui::GetItemRectMax().x + gap + edge < right) ImGui::SameLine(0.0f, gap);
 }
 
-}  // namespace
-
-void drawWheelRow(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held,
-                  WindowThumbnails& thumbnails) {
-    drawRow(fader, fixture, held, [&] {
-        const float edge = 2.2f * ImGui::GetFontSize();
-        const float gap = 0.25f * ImGui::GetFontSize();
-        const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-        const int chosen = slotOf(fader, fixture);
-        const int count = static_cast<int>(fader.wheel->slots.size());
-        for (int number = 1; number <= count; ++number) {
-            const fixtures::WheelSlot& slot = fader.wheel->slots[static_cast<std::size_t>(number - 1)];
-            ImGui::PushID(number);
-            if (drawSlotButton(slot, edge, thumbnails)) held.hold(fixture, fader.attribute, number);
-            if (number == chosen) frameLastItem();
-            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%d  %s", number, slot.name.c_str());
-            if (number < count) placeNext(edge, gap, right);
-            ImGui::PopID();
-        }
-    });
+void drawSlotButtons(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held,
+                     WindowThumbnails& thumbnails) {
+    const float edge = 2.2f * ImGui::GetFontSize();
+    const float gap = 0.25f * ImGui::GetFontSize();
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    const int chosen = slotOf(fader, fixture);
+    const int count = static_cast<int>(fader.wheel->slots.size());
+    for (int number = 1; number <= count; ++number) {
+        const fixtures::WheelSlot& slot = fader.wheel->slots[static_cast<std::size_t>(number - 1)];
+        ImGui::PushID(number);
+        if (drawSlotButton(slot, edge, thumbnails)) held.hold(fixture, fader.attribute, number);
+        if (number == chosen) frameLastItem();
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%d  %s", number, slot.name.c_str());
+        if (number < count) placeNext(edge, gap, right);
+        ImGui::PopID();
+    }
 }
 
-void drawGoboSwitchRow(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held,
-                       std::map<std::string, int>& lastGobos) {
+/// A box that takes the gobo out of the light and puts it back.
+void drawGoboSwitch(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held, int& lastGobo) {
+    const int slot = slotOf(fader, fixture);
+    bool isOn = isGobo(*fader.wheel, slot);
+    if (isOn) lastGobo = slot;
+    if (ImGui::Checkbox("on", &isOn)) {
+        held.hold(fixture, fader.attribute, slotAfterGoboSwitch(*fader.wheel, slot, lastGobo));
+    }
+}
+
+}  // namespace
+
+void drawColorWheelRow(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held,
+                       WindowThumbnails& thumbnails) {
+    drawRow(fader, fixture, held, [&] { drawSlotButtons(fader, fixture, held, thumbnails); });
+}
+
+void drawGoboWheelRow(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held,
+                      WindowThumbnails& thumbnails, std::map<std::string, int>& lastGobos) {
     drawRow(fader, fixture, held, [&] {
-        const int slot = slotOf(fader, fixture);
-        int& lastGobo = lastGobos[fixture.name() + '/' + fader.attribute];
-        bool isOn = isGobo(*fader.wheel, slot);
-        if (isOn) lastGobo = slot;
-        if (ImGui::Checkbox("on", &isOn)) {
-            held.hold(fixture, fader.attribute, slotAfterGoboSwitch(*fader.wheel, slot, lastGobo));
-        }
+        drawGoboSwitch(fader, fixture, held, lastGobos[fixture.name() + '/' + fader.attribute]);
+        drawSlotButtons(fader, fixture, held, thumbnails);
     });
 }
 

@@ -12,12 +12,12 @@ namespace hazer::app {
 
 /// A button for each slot of the fader's wheel, which must not be null; the slot that is in the light is
 /// framed.
-void drawWheelRow(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held,
-                  WindowThumbnails& thumbnails);
+void drawColorWheelRow(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held,
+                       WindowThumbnails& thumbnails);
 
-/// A box that takes the gobo out of the light and puts it back. `lastGobos` remembers, by fixture, which one
-/// it was.
-void drawGoboSwitchRow(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held,
-                       std::map<std::string, int>& lastGobos);
+/// The same, with a box that takes the gobo out of the light and puts it back. `lastGobos` remembers which
+/// one it was, by fixture and attribute.
+void drawGoboWheelRow(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held,
+                      WindowThumbnails& thumbnails, std::map<std::string, int>& lastGobos);
 
 }  // namespace hazer::app
