@@ -1,6 +1,7 @@
 #include "app/interrupt.h"
 
 #include <csignal>
+#include <stdexcept>
 
 namespace hazer::app {
 namespace {
@@ -26,6 +27,10 @@ Interrupt::~Interrupt() {
 
 bool Interrupt::asked() const {
     return interruptAsked != 0;
+}
+
+void Interrupt::throwIfAsked() const {
+    if (asked()) throw std::runtime_error("stopped before the work was done");
 }
 
 }  // namespace hazer::app

@@ -13,6 +13,9 @@ class Interrupt {
 
     /// Has somebody asked to end?
     bool asked() const;
+
+    /// Throws std::runtime_error if somebody has, so that work in hand is cleared away on the way out.
+    void throwIfAsked() const;
 };
 
 }  // namespace hazer::app

@@ -12,6 +12,7 @@
 #include "app/demo_programme.h"
 #include "app/display.h"
 #include "app/film.h"
+#include "app/interrupt.h"
 #include "app/paths.h"
 #include "app/picture_file.h"
 #include "app/progress.h"
@@ -102,8 +103,10 @@ void playHeadless(Session& session, const std::filesystem::path& picture, Film* 
     const int filmFrames = static_cast<int>(std::lround(kFilmS * kFilmFormat.framesPerS));
     const int frames = film == nullptr ? pictureFrame + 1 : std::max(pictureFrame + 1, filmFrames);
     Progress progress("playing frame", frames);
+    const Interrupt interrupt;
     setSize(session, kFilmFormat.width, kFilmFormat.height);
     for (int frame = 0; frame < frames; ++frame) {
+        interrupt.throwIfAsked();
         progress.show(frame + 1);
         playFrame(session, player, frame / kFilmFormat.framesPerS);
         if (frame == 0) session.settle();

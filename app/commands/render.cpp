@@ -103,7 +103,9 @@ template <typename Take>
 void renderFrames(Session& session, const RenderOptions& options, Take take) {
     const int count = std::max(1, static_cast<int>(std::lround(options.seconds * options.framesPerS)));
     Progress progress("drawing frame", count);
+    const Interrupt interrupt;
     for (int index = 0; index < count; ++index) {
+        interrupt.throwIfAsked();
         progress.show(index + 1);
         session.draw();
         take(index);
