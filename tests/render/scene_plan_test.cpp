@@ -1,0 +1,143 @@
+// What a scene does not need is not in its plan.
+#include "render/scene_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace hazer::tests {
+namespace {
+
+using render::Beam;
+using render::Scene;
+using render::ScenePlan;
+
+constexpr std::array<render::BoundingSphere, 1> kUnitSphere{{{glm::vec3(0.0f), 0.5f}}};
+
+/// A soft lamp at 6 m that shines down, and a ball of 1 m at `ball`.
+Scene sceneWithBall(const glm::dvec3& ball) {
+    Scene scene;
+    Beam beam;
+    beam.lensPositionM = {0.0, 0.0, 6.0};
+    beam.fluxLm = 1000.0;
+    scene.beams.push_back(beam);
+    render::MeshInstance instance;
+    instance.mesh = 0;
+    instance.worldFromMesh = glm::translate(glm::dmat4(1.0), ball);
+    scene.instances.push_back(instance);
+    return scene;
+}
+
+ScenePlan plan(const Scene& scene, const render::Settings& settings = {}) {
+    return render::planScene(scene, settings, kUnitSphere);
+}
+
+render::LightFeatures onlyFeatures(const ScenePlan& p) {
+    EXPECT_EQ(p.groups.size(), 1u);
+    return p.groups.empty() ? 0u : p.groups.front().features;
+}
+
+TEST(ScenePlan, AFullSceneHasEverything) {
+    Scene scene = sceneWithBall({0.0, 0.0, 2.0});
+    scene.beams.front().gobo = 0;
+    scene.haze.noise.amount = 0.5f;
+    const ScenePlan p = plan(scene);
+    EXPECT_TRUE(p.air && p.surfaces && p.lenses && p.bloom);
+    ASSERT_EQ(p.shadowMaps.size(), 1u);
+    EXPECT_EQ(onlyFeatures(p), render::kFeatureAir | render::kFeatureSurfaces | render::kFeatureGobo |
+                                   render::kFeatureShadow | render::kFeatureNoise);
+}
+
+TEST(ScenePlan, NoHazeNoVolume) {
+    Scene scene = sceneWithBall({0.0, 0.0, 2.0});
+    scene.haze.scatteringPerM = 0.0f;
+    scene.haze.noise.amount = 1.0f;
+    const ScenePlan p = plan(scene);
+    EXPECT_FALSE(p.air);
+    EXPECT_EQ(onlyFeatures(p) & (render::kFeatureAir | render::kFeatureNoise), 0u);
+}
+
+TEST(ScenePlan, NoCasterInTheConeNoShadow) {
+    for (const glm::dvec3& beside : {glm::dvec3(4.0, 0.0, 3.0), glm::dvec3(0.0, 0.0, 9.0)}) {
+        const ScenePlan p = plan(sceneWithBall(beside));
+        EXPECT_TRUE(p.shadowMaps.empty());
+        EXPECT_EQ(p.shadowMapSize, 0);
+        EXPECT_EQ(onlyFeatures(p) & render::kFeatureShadow, 0u);
+    }
+}
+
+TEST(ScenePlan, ThatWhichCastsNoneOrIsSwitchedOffHasNoMap) {
+    Scene scene = sceneWithBall({0.0, 0.0, 2.0});
+    render::Settings off;
+    off.shadows = false;
+    EXPECT_TRUE(plan(scene, off).shadowMaps.empty());
+    scene.instances.front().castsShadow = false;
+    EXPECT_TRUE(plan(scene).shadowMaps.empty());
+}
+
+TEST(ScenePlan, TheShadowReachesToTheFarSideOfItsCaster) {
+    const ScenePlan p = plan(sceneWithBall({0.0, 0.0, 2.0}));
+    ASSERT_EQ(p.shadowMaps.size(), 1u);
+    const double apexToLens = p.shapes.front().apexToLensM;
+    EXPECT_NEAR(p.shadowMaps.front().projection.farM, 4.5 + apexToLens, 1e-9);
+    EXPECT_GT(p.shadowMaps.front().projection.nearM, apexToLens);
+}
+
+TEST(ScenePlan, DarkFixturesAreNotDrawn) {
+    Scene scene = sceneWithBall({0.0, 0.0, 2.0});
+    scene.beams.front().fluxLm = 0.0;
+    EXPECT_TRUE(plan(scene).groups.empty());
+    EXPECT_FALSE(plan(scene).lenses);
+    scene.beams.front().fluxLm = 1000.0;
+    scene.beams.front().color = glm::vec3(0.0f);
+    EXPECT_TRUE(plan(scene).groups.empty());
+}
+
+TEST(ScenePlan, GobosSwitchedOffLeaveNoGoboCode) {
+    Scene scene = sceneWithBall({9.0, 0.0, 2.0});
+    scene.beams.front().gobo = 3;
+    render::Settings off;
+    off.gobos = false;
+    EXPECT_EQ(onlyFeatures(plan(scene, off)) & render::kFeatureGobo, 0u);
+}
+
+TEST(ScenePlan, BeamsAreGroupedByWhatTheyNeed) {
+    Scene scene = sceneWithBall({9.0, 0.0, 2.0});
+    Beam other = scene.beams.front();
+    other.gobo = 0;
+    scene.beams.push_back(other);
+    scene.beams.push_back(scene.beams.front());
+    const ScenePlan p = plan(scene);
+    ASSERT_EQ(p.groups.size(), 2u);
+    std::size_t beams = 0;
+    for (const render::BeamGroup& group : p.groups) beams += group.beams.size();
+    EXPECT_EQ(beams, 3u);
+}
+
+TEST(ScenePlan, TheBrightestLampsGetTheMaps) {
+    Scene scene = sceneWithBall({0.0, 0.0, 2.0});
+    const Beam first = scene.beams.front();
+    scene.beams.clear();
+    for (int i = 0; i < render::kMaxShadowMaps + 10; ++i) {
+        scene.beams.push_back(first);
+        scene.beams.back().fluxLm = 100.0 + i;
+    }
+    const ScenePlan p = plan(scene);
+    ASSERT_EQ(p.shadowMaps.size(), static_cast<std::size_t>(render::kMaxShadowMaps));
+    EXPECT_TRUE(std::all_of(p.shadowMaps.begin(), p.shadowMaps.end(),
+                            [](const auto& map) { return map.beam >= 10; }));
+}
+
+TEST(ScenePlan, EveryGroupsVariantIsListed) {
+    Scene scene = sceneWithBall({0.0, 0.0, 2.0});
+    scene.haze.noise.amount = 1.0f;
+    const std::vector<render::LightFeatures> all = render::allLightVariants();
+    for (const render::BeamGroup& group : plan(scene).groups) {
+        EXPECT_NE(std::find(all.begin(), all.end(), group.features), all.end());
+    }
+}
+
+}  // namespace
+}  // namespace hazer::tests

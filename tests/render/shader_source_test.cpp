@@ -1,0 +1,55 @@
+// Includes and features of shader text.
+#include "render/gl/shader_source.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "render/error.h"
+
+namespace hazer::tests {
+namespace {
+
+using testing::HasSubstr;
+
+class ShaderSource : public testing::Test {
+ protected:
+    void SetUp() override {
+        folder_ = std::filesystem::path(testing::TempDir()) / "hazer_shader_source";
+        std::filesystem::create_directories(folder_ / "include");
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+    void write(const std::string& file, const std::string& text) { std::ofstream(folder_ / file) << text; }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(ShaderSource, IncludesEachFileOnceAndKeepsLineNumbers) {
+    write("a.frag",
+          "#version 410 core\n#include \"include/b.glsl\"\n#include \"include/b.glsl\"\nint last;\n");
+    write("include/b.glsl", "#include \"include/b.glsl\"\nint b;\n");
+    const std::string text = render::gl::expandShader(folder_, "a.frag", {});
+    EXPECT_EQ(text.find("int b;"), text.rfind("int b;"));
+    EXPECT_THAT(text, HasSubstr("#line 4 1\nint last;"));
+}
+
+TEST_F(ShaderSource, FeaturesFollowTheVersionLine) {
+    write("a.frag", "#version 410 core\nint a;\n");
+    EXPECT_THAT(render::gl::expandShader(folder_, "a.frag", {"GOBO", "SHADOW"}),
+                testing::StartsWith("#version 410 core\n#define GOBO 1\n#define SHADOW 1\n"));
+}
+
+TEST_F(ShaderSource, AMissingFileIsNamedWithWhoWantsIt) {
+    write("a.frag", "#version 410 core\n#include \"include/none.glsl\"\n");
+    try {
+        render::gl::expandShader(folder_, "a.frag", {});
+        FAIL();
+    } catch (const render::RenderError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("none.glsl"));
+        EXPECT_THAT(error.what(), HasSubstr("a.frag:2"));
+    }
+}
+
+}  // namespace
+}  // namespace hazer::tests
