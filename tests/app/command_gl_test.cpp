@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "app/paths.h"
@@ -137,6 +138,22 @@ TEST_F(RenderTest, missingShader) {
         render(show, {"--out", fileIn("a.png")}, {{"HAZER_DATA", folder_.path().string()}});
     EXPECT_EQ(result.exitCode, 2);
     EXPECT_THAT(result.errors, HasSubstr((folder_.path() / "shaders").string()));
+}
+
+TEST(Demo, playsToItselfAndTakesAPicture) {
+    const test::TemporaryFolder folder;
+    // Without ffmpeg: the film alone would take longer than all other tests.
+    const test::ProcessResult result = test::runProcess(
+        HAZER_PROGRAM, {"demo", "--headless", "--out", folder.path().string()}, {{"PATH", "/nowhere"}});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_EQ(result.output, (folder.path() / "demo.png").string() + "\n");
+    EXPECT_THAT(result.errors, HasSubstr("no ffmpeg"));
+    const render::ByteImage picture = render::readByteImage(folder.path() / "demo.png");
+    EXPECT_EQ(picture.width, 1280);
+    EXPECT_EQ(picture.height, 720);
+    const auto lit =
+        std::count_if(picture.rgb.begin(), picture.rgb.end(), [](int value) { return value > 64; });
+    EXPECT_GT(lit, static_cast<long>(picture.rgb.size() / 20)) << "hardly any light arrived";
 }
 
 }  // namespace
