@@ -53,10 +53,17 @@ void showFrame(Window& window, WindowGui& gui, Session& session, WindowState& st
     window.swap();
 }
 
-void takeFrameTime(double frameS, WindowState& state) {
+/// What the passes of a recent picture took together; 0 until a time has come back.
+double pictureMs(const render::Renderer& renderer) {
+    double sumMs = 0.0;
+    for (const render::PassTime& pass : renderer.passTimes()) sumMs += pass.milliseconds;
+    return sumMs;
+}
+
+void takeTimes(double frameS, const render::Renderer& renderer, WindowState& state) {
     constexpr double kMsPerS = 1000.0;
     state.frameTimes.add(frameS * kMsPerS);
-    state.resolution.add(frameS * kMsPerS);
+    state.resolution.add(pictureMs(renderer));
 }
 
 }  // namespace
@@ -76,7 +83,7 @@ int runWindow(Window& window, Session& session, std::optional<int> frames) {
             window.waitForEvents(kIdleS);
             continue;
         }
-        if (shown > 0) takeFrameTime(frameS, state);
+        if (shown > 0) takeTimes(frameS, session.renderer(), state);
         showFrame(window, gui, session, state, thumbnails);
         ++shown;
     }

@@ -12,9 +12,9 @@ constexpr double kGoalMs = 40.0;
 /// Factors are multiples of this: each change makes new render targets, so small ones are not worth it.
 constexpr double kStep = 0.0625;
 
-/// The time of a frame goes with the number of its pixels.
-double predictedMs(double frameMs, double factor, double newFactor) {
-    return frameMs * (newFactor * newFactor) / (factor * factor);
+/// The time of a picture goes with the number of its pixels.
+double predictedMs(double pictureMs, double factor, double newFactor) {
+    return pictureMs * (newFactor * newFactor) / (factor * factor);
 }
 
 }  // namespace
@@ -29,23 +29,23 @@ void WindowResolution::setFactor(double factor) {
     setAutomatic(false);
 }
 
-void WindowResolution::add(double frameMs) {
-    if (!isAutomatic_) return;
-    // The fastest of a few, since a single slow frame may be the machine's doing, not the picture's.
-    fastestMs_ = frames_ == 0 ? frameMs : std::min(fastestMs_, frameMs);
-    if (++frames_ < kFramesPerDecision) return;
+void WindowResolution::add(double pictureMs) {
+    if (!isAutomatic_ || ++frames_ <= kLateFrames) return;
+    // The fastest of a few, since a single slow one may be the machine's doing, not the picture's.
+    fastestMs_ = frames_ == kLateFrames + 1 ? pictureMs : std::min(fastestMs_, pictureMs);
+    if (frames_ < kLateFrames + kJudgedFrames) return;
     frames_ = 0;
     judge(fastestMs_);
 }
 
-void WindowResolution::judge(double frameMs) {
-    if (frameMs > kSlowMs) {
-        const double wanted = factor_ * std::sqrt(kGoalMs / frameMs);
+void WindowResolution::judge(double pictureMs) {
+    if (pictureMs > kSlowMs) {
+        const double wanted = factor_ * std::sqrt(kGoalMs / pictureMs);
         factor_ = std::max(kMinFactor, std::floor(wanted / kStep) * kStep);
         return;
     }
     const double finer = std::min(1.0, factor_ + kStep);
-    if (predictedMs(frameMs, factor_, finer) < kGoalMs) factor_ = finer;
+    if (predictedMs(pictureMs, factor_, finer) < kGoalMs) factor_ = finer;
 }
 
 glm::ivec2 WindowResolution::drawnSize(const glm::ivec2& shown) const {

@@ -16,9 +16,9 @@ class WindowResolution {
     /// kMinFactor..1; switches the automatic off.
     void setFactor(double factor);
 
-    /// Takes the time of a frame that was drawn with factor(). The automatic waits for a few frames, then
-    /// goes coarser above kSlowMs, or finer where that would stay well below it.
-    void add(double frameMs);
+    /// Takes the time that a recent picture took to draw, panels apart. The automatic waits for a few
+    /// pictures, then goes coarser above kSlowMs, or finer where that would stay well below it.
+    void add(double pictureMs);
 
     /// The size to draw, at least 1 x 1, for a framebuffer of `shown` pixels.
     glm::ivec2 drawnSize(const glm::ivec2& shown) const;
@@ -27,12 +27,15 @@ class WindowResolution {
     static constexpr double kSlowMs = 50.0;
 
  private:
-    void judge(double frameMs);
+    void judge(double pictureMs);
 
-    static constexpr int kFramesPerDecision = 4;
+    /// Times come back some frames late: the first after a change still belong to the old factor.
+    static constexpr int kLateFrames = 4;
+    static constexpr int kJudgedFrames = 4;
+
     bool isAutomatic_ = true;
     double factor_ = 1.0;
-    double fastestMs_ = 0.0;  ///< Of the frames since the last decision.
+    double fastestMs_ = 0.0;  ///< Of the pictures that are judged.
     int frames_ = 0;          ///< Since the last decision.
 };
 

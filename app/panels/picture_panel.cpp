@@ -13,7 +13,7 @@ void drawResolution(const render::Settings& settings, WindowResolution& resoluti
     }
     bool isAutomatic = resolution.isAutomatic();
     if (ImGui::Checkbox("automatic", &isAutomatic)) resolution.setAutomatic(isAutomatic);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Coarser while a frame takes more than 50 ms");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Coarser while drawing the picture takes more than 50 ms");
     ImGui::SameLine();
     ImGui::TextDisabled("%d x %d", settings.width, settings.height);
 }
