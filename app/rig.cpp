@@ -1,8 +1,10 @@
 #include "app/rig.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <span>
 
 #include "app/light_color.h"
 #include "render/mesh.h"
@@ -40,6 +42,25 @@ render::Mesh shapeOf(fixtures::PrimitiveType primitive) {
     }
 }
 
+/// A box in the coordinates of a part whose edges are 1.
+struct UnitBox {
+    glm::dvec3 center;
+    glm::dvec3 size;
+};
+
+/// A crossbar above and an arm on each side, open below for the head.
+constexpr std::array kYokeBoxes{UnitBox{{0.0, 0.0, 0.45}, {1.0, 1.0, 0.1}},
+                                UnitBox{{-0.45, 0.0, -0.05}, {0.1, 1.0, 0.9}},
+                                UnitBox{{0.45, 0.0, -0.05}, {0.1, 1.0, 0.9}}};
+constexpr std::array kWholeBox{UnitBox{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}};
+
+/// What a part is put together from: one shape, but for a yoke, which as one box would hide the head inside
+/// it.
+std::span<const UnitBox> boxesOf(fixtures::PrimitiveType primitive) {
+    if (primitive == fixtures::PrimitiveType::kYoke) return kYokeBoxes;
+    return kWholeBox;
+}
+
 }  // namespace
 
 double focusDistanceM(double focus) {
@@ -74,12 +95,18 @@ void Rig::append(const fixtures::FixtureState& state, render::Scene& scene) {
         scene.beams.push_back(*beam);
     }
     for (const fixtures::PartState& part : state.parts) {
-        if (part.model == nullptr) continue;
-        render::MeshInstance instance;
-        instance.mesh = meshFor(part.model->primitive);
-        instance.worldFromMesh = glm::scale(part.worldFromPart, part.model->sizeM);
-        instance.material = bodyMaterial();
-        instance.castsShadow = false;
+        if (part.model != nullptr) appendPart(part, scene);
+    }
+}
+
+void Rig::appendPart(const fixtures::PartState& part, render::Scene& scene) {
+    const glm::dmat4 worldFromUnit = glm::scale(part.worldFromPart, part.model->sizeM);
+    render::MeshInstance instance;
+    instance.mesh = meshFor(part.model->primitive);
+    instance.material = bodyMaterial();
+    instance.castsShadow = false;
+    for (const UnitBox& box : boxesOf(part.model->primitive)) {
+        instance.worldFromMesh = glm::scale(glm::translate(worldFromUnit, box.center), box.size);
         scene.instances.push_back(instance);
     }
 }

@@ -29,6 +29,7 @@ class Rig {
     void append(const fixtures::FixtureState& state, render::Scene& scene);
 
  private:
+    void appendPart(const fixtures::PartState& part, render::Scene& scene);
     render::GoboId goboFor(const std::shared_ptr<const fixtures::WheelImage>& image);
     render::MeshId meshFor(fixtures::PrimitiveType primitive);
 

@@ -1,5 +1,6 @@
 // hazer demo: the show that comes with hazer, sent to itself over loopback Art-Net.
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -17,6 +18,7 @@
 #include "app/picture_file.h"
 #include "app/progress.h"
 #include "app/session.h"
+#include "protocol/network_error.h"
 #include "render/gl/headless_context.h"
 
 namespace hazer::app {
@@ -36,14 +38,23 @@ Show demoShow() {
     return loadShow(showFolder() / "demo.toml");
 }
 
-/// Plays at the rate of a desk, in real time, while a window shows it.
+/// Plays at the rate of a desk, in real time, while a window shows it. If the network fails it says so and
+/// falls silent, as a desk does whose cable is pulled.
 class BackgroundPlayer {
  public:
     BackgroundPlayer(const Show& show, std::uint16_t port) : patch_(show), player_(patch_, port) {
-        thread_ = std::jthread([this](const std::stop_token& stop) { play(stop); });
+        thread_ = std::jthread([this](const std::stop_token& stop) { playUntilItFails(stop); });
     }
 
  private:
+    void playUntilItFails(const std::stop_token& stop) {
+        try {
+            play(stop);
+        } catch (const protocol::NetworkError& error) {
+            spdlog::error("{}", error.what());
+        }
+    }
+
     void play(const std::stop_token& stop) {
         constexpr double kPacketsPerS = 44.0;  // what DMX512 itself reaches
         using Seconds = std::chrono::duration<double>;
