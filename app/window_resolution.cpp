@@ -12,16 +12,15 @@ constexpr double kGoalMs = 40.0;
 /// Factors are multiples of this: each change makes new render targets, so small ones are not worth it.
 constexpr double kStep = 0.0625;
 
-/// The time of a picture goes with the number of its pixels.
-double predictedMs(double pictureMs, double factor, double newFactor) {
-    return pictureMs * (newFactor * newFactor) / (factor * factor);
-}
+/// Nobody should sit through many pictures like this to get a coarser one.
+constexpr double kVerySlowMs = 250.0;
 
 }  // namespace
 
 void WindowResolution::setAutomatic(bool isAutomatic) {
     isAutomatic_ = isAutomatic;
     frames_ = 0;
+    verySlowInARow_ = 0;
 }
 
 void WindowResolution::setFactor(double factor) {
@@ -30,22 +29,23 @@ void WindowResolution::setFactor(double factor) {
 }
 
 void WindowResolution::add(double pictureMs) {
-    if (!isAutomatic_ || ++frames_ <= kLateFrames) return;
+    if (!isAutomatic_ || pictureMs <= 0.0) return;
+    verySlowInARow_ = pictureMs > kVerySlowMs ? verySlowInARow_ + 1 : 0;
+    if (verySlowInARow_ > 1) return decide(pictureMs);
+    if (++frames_ <= kLateFrames) return;
     // The fastest of a few, since a single slow one may be the machine's doing, not the picture's.
     fastestMs_ = frames_ == kLateFrames + 1 ? pictureMs : std::min(fastestMs_, pictureMs);
-    if (frames_ < kLateFrames + kJudgedFrames) return;
-    frames_ = 0;
-    judge(fastestMs_);
+    if (frames_ == kLateFrames + kJudgedFrames) decide(fastestMs_);
 }
 
-void WindowResolution::judge(double pictureMs) {
-    if (pictureMs > kSlowMs) {
-        const double wanted = factor_ * std::sqrt(kGoalMs / pictureMs);
-        factor_ = std::max(kMinFactor, std::floor(wanted / kStep) * kStep);
-        return;
-    }
-    const double finer = std::min(1.0, factor_ + kStep);
-    if (predictedMs(pictureMs, factor_, finer) < kGoalMs) factor_ = finer;
+void WindowResolution::decide(double pictureMs) {
+    frames_ = 0;
+    verySlowInARow_ = 0;
+    // The time of a picture goes with the number of its pixels. It may only double in edge at once, since the
+    // smallest times tell least about the largest pictures.
+    const double wanted = std::clamp(factor_ * std::sqrt(kGoalMs / pictureMs), kMinFactor, 2.0 * factor_);
+    const double stepped = std::min(1.0, std::floor(wanted / kStep) * kStep);
+    if (pictureMs > kSlowMs || stepped > factor_) factor_ = stepped;
 }
 
 glm::ivec2 WindowResolution::drawnSize(const glm::ivec2& shown) const {

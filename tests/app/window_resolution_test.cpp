@@ -13,9 +13,9 @@ void watch(WindowResolution& resolution, double fullMs, int pictures = 400) {
     }
 }
 
-TEST(WindowResolution, staysFullOnAFastMachine) {
+TEST(WindowResolution, isFullAfterABlinkOnAFastMachine) {
     WindowResolution resolution;
-    watch(resolution, 16.0);
+    watch(resolution, 16.0, 10);
     EXPECT_EQ(resolution.factor(), 1.0);
 }
 
@@ -50,8 +50,21 @@ TEST(WindowResolution, stopsAtItsCoarsest) {
     EXPECT_EQ(resolution.factor(), WindowResolution::kMinFactor);
 }
 
+TEST(WindowResolution, doesNotWaitForManyVerySlowPictures) {
+    WindowResolution resolution;
+    watch(resolution, 8000.0, 2);
+    EXPECT_EQ(resolution.factor(), WindowResolution::kMinFactor);
+}
+
+TEST(WindowResolution, waitsForTimes) {
+    WindowResolution resolution;
+    watch(resolution, 0.0);
+    EXPECT_EQ(resolution.factor(), WindowResolution().factor());
+}
+
 TEST(WindowResolution, oneSlowPictureChangesNothing) {
     WindowResolution resolution;
+    watch(resolution, 16.0);
     for (int i = 0; i < 100; ++i) resolution.add(i % 7 == 0 ? 3000.0 : 16.0);
     EXPECT_EQ(resolution.factor(), 1.0);
 }
