@@ -8,6 +8,10 @@
 #include "include/surface.glsl"
 #include "include/beam_input.glsl"
 
+#if defined(GOBO) || defined(SHADOW)
+#define APERTURE 1
+#endif
+
 flat in vec4 row0;
 flat in vec4 row1;
 flat in vec4 row2;
@@ -28,12 +32,13 @@ uniform vec2 viewTangent;       // tangents of half the field of view
 uniform float extinctionPerM;
 uniform float scatteringPerM;
 uniform vec3 phaseLobes;        // forward g, backward g, weight of the forward lobe
-uniform int pieces;             // stretches of the lit part, 4 Gauss-Legendre nodes each
+uniform float leastPieces;      // pieces of the lit stretch, 4 nodes each
 uniform int uniformSamples;     // UNIFORM: samples along the ray
 uniform float uniformRangeM;    // UNIFORM: where a ray that hits nothing ends
 uniform mat3 worldFromView;
-uniform vec3 noiseOrigin[2];    // camera in the noise's periods, per layer
-uniform float noisePerM[2];     // periods a metre, per layer
+uniform vec3 noiseOrigin;       // camera in the noise's periods
+uniform float noisePerM;        // periods a metre
+uniform vec3 noiseWave;         // phases of the waves that stir it
 uniform float noiseAmount;
 
 out vec4 radiance;
@@ -94,11 +99,10 @@ vec3 transmissionAt(LampSample here) {
 
 float densityAt(float t) {
 #ifdef NOISE
-    // Two layers of the same tile drift apart, so that the smoke rolls instead of being pushed.
-    vec3 direction = worldFromView * viewDirection();
-    float a = texture(noiseVolume, noiseOrigin[0] + direction * (t * noisePerM[0])).r;
-    float b = texture(noiseVolume, noiseOrigin[1] + direction * (t * noisePerM[1])).r;
-    return max(1.0 + noiseAmount * (2.0 * a + b - 1.5) * 1.6, 0.0);
+    vec3 place = noiseOrigin + worldFromView * viewDirection() * (t * noisePerM);
+    // Waves that move push the swirls to and fro, so that the smoke rolls instead of being carried along like a picture.
+    place += 0.035 * sin(6.2831853 * (2.0 * place.yzx + noiseWave));
+    return max(1.0 + noiseAmount * 4.2 * (texture(noiseVolume, place).r - 0.5), 0.0);
 #else
     return 1.0;
 #endif
@@ -145,7 +149,7 @@ void main() {
 #ifdef UNIFORM
     relative += beamInAirUniform(ray, optics, haze, min(geometry.z, uniformRangeM), uniformSamples);
 #else
-    relative += beamInAir(ray, optics, haze, geometry.z, pieces);
+    relative += beamInAir(ray, optics, haze, geometry.z, leastPieces);
 #endif
 #endif
 #ifdef SURFACES

@@ -17,8 +17,8 @@ constexpr double kPi = 3.14159265358979323846;
 /// How far a beam is followed [m]; the haze has long swallowed it.
 constexpr float kBeamRangeM = 1000.0f;
 constexpr int kNoiseSize = 64;
-/// Ratio of the two noise layers' sizes; far from a simple fraction, so that they never line up.
-constexpr double kSecondLayer = 0.381;
+/// How fast the waves that stir the smoke go round; no two in step.
+constexpr glm::dvec3 kStirHz(0.037, 0.029, 0.043);
 
 enum TextureUnit : int { kGeometryUnit, kMaterialUnit, kGoboUnit, kShadowUnit, kNoiseUnit };
 
@@ -52,13 +52,14 @@ std::vector<std::uint16_t> hullIndexList() {
     return list;
 }
 
-/// Stretches of the lit part with 4 nodes each. A smooth integrand needs one, a soft edge two; what is cut up
-/// by a gobo, by shadows or by swirls needs many.
-int pieceCount(LightFeatures features, int samples) {
-    if (samples > 0) return std::max(1, (samples + 3) / 4);
-    if ((features & (kFeatureGobo | kFeatureShadow)) != 0) return 8;
-    if ((features & kFeatureNoise) != 0) return 6;
-    return (features & kFeatureFlat) != 0 ? 1 : 2;
+/// Pieces of the lit stretch with 4 nodes each. A smooth integrand needs one, a soft edge three; what is cut
+/// up by a gobo, by shadows or by swirls needs more.
+float leastPieces(LightFeatures features, int samples) {
+    if (samples > 0) return 0.25f * static_cast<float>(samples);
+    if ((features & kFeatureGobo) != 0) return 8.0f;
+    if ((features & kFeatureShadow) != 0) return 6.0f;
+    if ((features & kFeatureNoise) != 0) return 5.0f;
+    return (features & kFeatureFlat) != 0 ? 1.0f : 3.0f;
 }
 
 }  // namespace
@@ -144,7 +145,7 @@ void LightPass::setCommon(const gl::Program& program, const Inputs& in) {
 void LightPass::setIntegrator(const gl::Program& program, const Inputs& in, LightFeatures features) {
     // The thesis marched to its far plane; this is a stage's worth of it.
     constexpr float kUniformRangeM = 60.0f;
-    program.set("pieces", pieceCount(features, in.settings.samples));
+    program.set("leastPieces", leastPieces(features, in.settings.samples));
     program.set("uniformSamples", in.settings.samples > 0 ? in.settings.samples : 110);
     program.set("uniformRangeM", kUniformRangeM);
 }
@@ -162,18 +163,11 @@ void LightPass::setNoise(const gl::Program& program, const Inputs& in) {
     gl::bindTexture(kNoiseUnit, GL_TEXTURE_3D, noise_.id());
     const HazeNoise& noise = in.scene.haze.noise;
     const double tileM = kNoiseCells * static_cast<double>(noise.scaleM);
-    const std::array<double, 2> tilesM{tileM, tileM * kSecondLayer};
-    // The small swirls are carried along and rise a little; the drift between the layers is what makes smoke
-    // roll.
-    const std::array<glm::dvec3, 2> driftMps{glm::dvec3(noise.windMps),
-                                             glm::dvec3(noise.windMps) * 0.6 + glm::dvec3(0.0, 0.0, 0.08)};
-    const std::array<const char*, 2> originNames{"noiseOrigin[0]", "noiseOrigin[1]"};
-    const std::array<const char*, 2> scaleNames{"noisePerM[0]", "noisePerM[1]"};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const glm::dvec3 origin = (in.camera.positionM - driftMps[i] * in.scene.timeS) / tilesM[i];
-        program.set(originNames[i], glm::vec3(origin - glm::floor(origin)));
-        program.set(scaleNames[i], static_cast<float>(1.0 / tilesM[i]));
-    }
+    const auto fraction = [](const glm::dvec3& v) { return glm::vec3(v - glm::floor(v)); };
+    program.set("noiseOrigin",
+                fraction((in.camera.positionM - glm::dvec3(noise.windMps) * in.scene.timeS) / tileM));
+    program.set("noisePerM", static_cast<float>(1.0 / tileM));
+    program.set("noiseWave", fraction(kStirHz * in.scene.timeS));
     program.set("noiseAmount", noise.amount);
 }
 

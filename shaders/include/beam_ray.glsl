@@ -87,6 +87,11 @@ Real2 halfScatterAngle(LampRay ray, Real s) {
     return s > Real(0.0) ? Real2(ray.h, r + s) : Real2(r - s, ray.h);
 }
 
+// The angle at the lamp between two points of the ray [rad], in [0, pi).
+Real angleBetween(LampRay ray, Real sFrom, Real sTo) {
+    return atan(ray.h * (sTo - sFrom), ray.h * ray.h + sFrom * sTo);
+}
+
 // What a sample needs to know. The angle is told as cos u and sin u, which stay exact near +-90 degrees.
 struct LampSample {
     Real3 direction;   // unit, from the apex

@@ -108,6 +108,12 @@ TEST(OrbitCamera, framesABallInWideAndTallPictures) {
     }
 }
 
+TEST(OrbitCamera, framesFromAboveTheFloor) {
+    OrbitCamera orbit(cameraAt({0.0, -10.0, 1.0}, {0.0, 0.0, 4.0}));
+    orbit.frame({0.0, 0.0, 3.0}, 8.0, 1.6);
+    EXPECT_GT(orbit.camera().positionM.z, 3.0);
+}
+
 TEST(OrbitCamera, fieldOfViewStaysUsable) {
     OrbitCamera orbit{render::Camera()};
     orbit.setVerticalFov(100.0);

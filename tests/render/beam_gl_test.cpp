@@ -14,7 +14,7 @@
 #include "tests/support/beam_oracle.h"
 #include "tests/support/gl_test.h"
 
-namespace hazer::tests {
+namespace hazer::test {
 namespace {
 
 using render::Beam;
@@ -238,4 +238,4 @@ TEST_F(BeamGl, EveryShaderVariantCompiles) {
 }
 
 }  // namespace
-}  // namespace hazer::tests
+}  // namespace hazer::test

@@ -7,7 +7,7 @@
 
 #include "tests/support/gl_test.h"
 
-namespace hazer::tests {
+namespace hazer::test {
 namespace {
 
 using render::Beam;
@@ -239,4 +239,4 @@ TEST_F(GoboGl, TheFloorReceivesTheLampsLumens) {
 }
 
 }  // namespace
-}  // namespace hazer::tests
+}  // namespace hazer::test

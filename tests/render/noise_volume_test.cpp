@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <numeric>
 
-namespace hazer::tests {
+namespace hazer::test {
 namespace {
 
 constexpr int kSize = 32;
@@ -47,4 +47,4 @@ TEST(NoiseVolume, TilesWithoutASeam) {
 }
 
 }  // namespace
-}  // namespace hazer::tests
+}  // namespace hazer::test

@@ -6,7 +6,7 @@
 
 #include "render/glsl_as_cpp.h"
 
-namespace hazer::tests {
+namespace hazer::test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -40,4 +40,4 @@ TEST(Phase, TwoLobesIntegrateToOneAndScatterForward) {
 }
 
 }  // namespace
-}  // namespace hazer::tests
+}  // namespace hazer::test

@@ -6,7 +6,7 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 
-namespace hazer::tests {
+namespace hazer::test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -74,4 +74,4 @@ TEST(Photometry, AnglesOutOfRangeAreTakenIn) {
 }
 
 }  // namespace
-}  // namespace hazer::tests
+}  // namespace hazer::test

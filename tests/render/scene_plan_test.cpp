@@ -7,7 +7,7 @@
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace hazer::tests {
+namespace hazer::test {
 namespace {
 
 using render::Beam;
@@ -140,4 +140,4 @@ TEST(ScenePlan, EveryGroupsVariantIsListed) {
 }
 
 }  // namespace
-}  // namespace hazer::tests
+}  // namespace hazer::test

@@ -8,7 +8,7 @@
 
 #include "render/error.h"
 
-namespace hazer::tests {
+namespace hazer::test {
 namespace {
 
 using testing::HasSubstr;
@@ -52,4 +52,4 @@ TEST_F(ShaderSource, AMissingFileIsNamedWithWhoWantsIt) {
 }
 
 }  // namespace
-}  // namespace hazer::tests
+}  // namespace hazer::test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace hazer::tests {
+namespace hazer::test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -77,4 +77,4 @@ double oracleRadiance(const OracleBeam& beam, const OracleHaze& haze, const glm:
     return sum;
 }
 
-}  // namespace hazer::tests
+}  // namespace hazer::test

@@ -4,7 +4,7 @@
 
 #include <glm/glm.hpp>
 
-namespace hazer::tests {
+namespace hazer::test {
 
 /// A beam of 1 cd with the virtual apex at the origin, shining along -Z.
 struct OracleBeam {
@@ -27,4 +27,4 @@ struct OracleHaze {
 double oracleRadiance(const OracleBeam& beam, const OracleHaze& haze, const glm::dvec3& eye,
                       const glm::dvec3& direction, double endM);
 
-}  // namespace hazer::tests
+}  // namespace hazer::test

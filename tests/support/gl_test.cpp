@@ -3,7 +3,7 @@
 #include "render/error.h"
 #include "render/gl/debug_output.h"
 
-namespace hazer::tests {
+namespace hazer::test {
 
 std::unique_ptr<render::gl::HeadlessContext> GlTest::context_;
 std::unique_ptr<render::Renderer> GlTest::renderer_;
@@ -44,4 +44,4 @@ render::FloatImage GlTest::draw(const render::Scene& scene, const render::Camera
     return renderer_->readRadiance();
 }
 
-}  // namespace hazer::tests
+}  // namespace hazer::test

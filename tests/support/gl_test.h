@@ -8,7 +8,7 @@
 #include "render/gl/headless_context.h"
 #include "render/renderer.h"
 
-namespace hazer::tests {
+namespace hazer::test {
 
 /// Draws with one shared Renderer on a surfaceless context. Skips, with the reason, where there is no
 /// OpenGL 4.1.
@@ -35,4 +35,4 @@ class GlTest : public testing::Test {
 /// The folder with the project's shaders, found from this source file's tree (compiled in by CMake).
 std::filesystem::path shaderFolder();
 
-}  // namespace hazer::tests
+}  // namespace hazer::test
