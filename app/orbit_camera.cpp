@@ -10,6 +10,7 @@ namespace hazer::app {
 namespace {
 
 constexpr double kDollyPerStep = 0.9;
+constexpr double kLowestFramingRad = 0.1;  ///< Above the horizon.
 
 double clampElevation(double elevationRad) {
     return std::clamp(elevationRad, -OrbitCamera::kMaxElevationRad, OrbitCamera::kMaxElevationRad);
@@ -61,6 +62,7 @@ void OrbitCamera::dolly(double steps) {
 void OrbitCamera::frame(const glm::dvec3& centreM, double radiusM, double aspect) {
     const double narrowerTangent = std::tan(0.5 * verticalFovRad_) * std::min(1.0, aspect);
     targetM_ = centreM;
+    elevationRad_ = std::max(elevationRad_, kLowestFramingRad);
     distanceM_ = clampDistance(radiusM / std::sin(std::atan(narrowerTangent)));
 }
 

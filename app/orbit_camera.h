@@ -24,8 +24,8 @@ class OrbitCamera {
     /// One step of a mouse wheel brings the target a tenth nearer; negative steps go away from it.
     void dolly(double steps);
 
-    /// Backs off until a ball fits in the picture, without turning. `radiusM` > 0, `aspect` is width /
-    /// height.
+    /// Backs off until a ball fits in the picture, without turning, but never looks from below: a stage has a
+    /// floor. `radiusM` > 0, `aspect` is width / height.
     void frame(const glm::dvec3& centreM, double radiusM, double aspect);
 
     void setVerticalFov(double fovRad);
