@@ -23,7 +23,7 @@ void main() {
     // Below this contrast no step is seen; most pixels leave here.
     if (brightest - darkest < max(0.03, 0.12 * brightest)) return;
     vec2 along = vec2((sw + se) - (nw + ne), (nw + sw) - (ne + se));
-    along = clamp(along / (min(abs(along.x), abs(along.y)) + 0.03 * (nw + ne + sw + se) + 1.0 / 128.0), -8.0, 8.0);
+    along = clamp(along / (min(abs(along.x), abs(along.y)) + 0.03 * (nw + ne + sw + se) + 1.0 / 128.0), -3.0, 3.0);
     vec3 narrow = 0.5 * (at(along * (-1.0 / 6.0)) + at(along * (1.0 / 6.0)));
     vec3 wide = 0.5 * narrow + 0.25 * (at(along * -0.5) + at(along * 0.5));
     float wideBrightness = brightness(wide);
