@@ -29,7 +29,9 @@ constexpr std::array kHelpLines{
 
 void drawHelpPanel(bool& isOpen) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Appearing, {0.5f, 0.5f});
+    ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    constexpr float kOpaque = 1.0f;  // it may lie on the other panels' text
+    ImGui::SetNextWindowBgAlpha(kOpaque);
     if (ImGui::Begin("Help", &isOpen, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize) &&
         ImGui::BeginTable("help", 2, ImGuiTableFlags_SizingFixedFit)) {
         for (const HelpLine& line : kHelpLines) {
