@@ -81,7 +81,7 @@ std::optional<render::Beam> beamFromState(const fixtures::BeamState& state) {
     beam.fluxLm = fluxLm;
     beam.color = lightColorFromXyz(state.colorXyz);
     beam.goboRotationRad = glm::radians(state.goboRotationDeg);
-    beam.focusDistanceM = focusDistanceM(state.focus);
+    if (state.focus) beam.focusDistanceM = focusDistanceM(*state.focus);
     return beam;
 }
 

@@ -75,6 +75,14 @@ TEST(BeamFromState, staysWithinWhatTheRendererTakes) {
     EXPECT_GT(beamFromState(state)->beamAngleRad, 0.0);
 }
 
+TEST(BeamFromState, withoutAFocusIsSharpEverywhere) {
+    fixtures::BeamState state = litBeam();
+    state.focus.reset();
+    EXPECT_EQ(beamFromState(state)->focusDistanceM, 0.0);
+    state.focus = 0.8;
+    EXPECT_NEAR(beamFromState(state)->focusDistanceM, 10.0, 1e-9);
+}
+
 TEST(FocusDistance, runsFromTwoMetresToAKilometre) {
     EXPECT_NEAR(focusDistanceM(0.0), 2.0, 1e-12);
     EXPECT_NEAR(focusDistanceM(0.5), 4.0, 1e-12);
