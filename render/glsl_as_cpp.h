@@ -11,8 +11,8 @@
 namespace hazer::render::glsl {
 
 // GLSL's built-ins under their own names.
-using glm::abs, glm::atan, glm::ceil, glm::clamp, glm::cos, glm::cross, glm::dot, glm::exp, glm::exp2, glm::length, glm::max,
-    glm::min, glm::normalize, glm::pow, glm::sin, glm::sqrt;
+using glm::abs, glm::atan, glm::ceil, glm::clamp, glm::cos, glm::cross, glm::dot, glm::exp, glm::exp2,
+    glm::length, glm::max, glm::min, glm::normalize, glm::pow, glm::sin, glm::sqrt;
 
 /// The shared formulas as members, in float or double. Members, so that what a program does not use costs
 /// nothing.

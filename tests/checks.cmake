@@ -29,8 +29,9 @@ hazer_add_refusal(gl_floor_calls_refuses check_gl_floor_calls.cmake "newer than 
     "LIBRARY=$<TARGET_OBJECTS:newer_gl_calls>" "NM=${CMAKE_NM}" "HEADER=${GL_CORE_HEADER}")
 
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
-add_executable(expand_shader support/expand_shader.cpp)
-target_link_libraries(expand_shader PRIVATE hazer_render)
+# Without the rest of the render library, whose many libraries would be loaded for each variant of each shader.
+add_executable(expand_shader support/expand_shader.cpp "${PROJECT_SOURCE_DIR}/render/gl/shader_source.cpp")
+target_link_libraries(expand_shader PRIVATE hazer_options fmt::fmt)
 hazer_add_check(gl_floor_shaders check_gl_floor_shaders.cmake
     "SHADERS=${PROJECT_SOURCE_DIR}/shaders" "EXPAND=$<TARGET_FILE:expand_shader>" "VALIDATOR=${GLSLANG_VALIDATOR}")
 hazer_add_refusal(gl_floor_shaders_refuses check_gl_floor_shaders.cmake "binding.*not supported"

@@ -80,8 +80,10 @@ struct Shader : render::glsl::Formulas<Scalar> {
 template <typename Scalar>
 double radiance(const Ray& ray, int pieces) {
     Shader<Scalar> shader(ray);
-    return static_cast<double>(
-        shader.beamInAir(shader.ray, shader.optics, shader.haze, shader.scalar(ray.endM), static_cast<Scalar>(pieces)).x);
+    return static_cast<double>(shader
+                                   .beamInAir(shader.ray, shader.optics, shader.haze, shader.scalar(ray.endM),
+                                              static_cast<Scalar>(pieces))
+                                   .x);
 }
 
 double uniformRadiance(const Ray& ray, int samples) {

@@ -34,7 +34,8 @@ TEST(Phase, TwoLobesIntegrateToOneAndScatterForward) {
     render::glsl::Formulas<double> f;
     const auto phase = [&](double mu) { return f.phaseTwoLobes(mu, 0.78, -0.58, 0.97); };
     EXPECT_NEAR(overSphere(phase), 1.0, 1e-8);
-    // Glycol haze of 0.8 um by Mie theory: 0.30 /sr at 30 degrees, 0.013 at 90; two lobes fit it to about a factor of 1.2.
+    // Glycol haze of 0.8 um by Mie theory: 0.30 /sr at 30 degrees, 0.013 at 90; two lobes fit it to about a
+    // factor of 1.2.
     EXPECT_NEAR(phase(std::cos(kPi / 6.0)) / 0.30, 1.0, 0.35);
     EXPECT_NEAR(phase(0.0) / 0.013, 1.0, 0.35);
 }
