@@ -58,30 +58,28 @@ using Query = Handle<deleteQuery>;
 using Shader = Handle<deleteShader>;
 using ProgramHandle = Handle<deleteProgram>;
 
-inline Texture makeTexture() {
+/// A fresh name from one of the glGen functions.
+template <typename Owner, typename Generate>
+Owner make(Generate generate) {
     GLuint id = 0;
-    glGenTextures(1, &id);
-    return Texture(id);
+    generate(1, &id);
+    return Owner(id);
+}
+
+inline Texture makeTexture() {
+    return make<Texture>(glGenTextures);
 }
 inline Buffer makeBuffer() {
-    GLuint id = 0;
-    glGenBuffers(1, &id);
-    return Buffer(id);
+    return make<Buffer>(glGenBuffers);
 }
 inline VertexArray makeVertexArray() {
-    GLuint id = 0;
-    glGenVertexArrays(1, &id);
-    return VertexArray(id);
+    return make<VertexArray>(glGenVertexArrays);
 }
 inline Framebuffer makeFramebuffer() {
-    GLuint id = 0;
-    glGenFramebuffers(1, &id);
-    return Framebuffer(id);
+    return make<Framebuffer>(glGenFramebuffers);
 }
 inline Query makeQuery() {
-    GLuint id = 0;
-    glGenQueries(1, &id);
-    return Query(id);
+    return make<Query>(glGenQueries);
 }
 
 }  // namespace hazer::render::gl
