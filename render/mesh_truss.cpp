@@ -14,6 +14,8 @@ namespace {
 constexpr float kChordRadiusPerWidth = 0.5f * 50.0f / 290.0f;
 constexpr float kLacingRadiusPerWidth = 0.5f * 20.0f / 290.0f;
 constexpr int kTubeSides = 6;
+/// A truss that is longer than so many of its widths gets flatter lacing, not more of it.
+constexpr double kMostBays = 1000.0;
 
 /// One side of the truss: where the axes of its two chords cross the YZ plane.
 struct Side {
@@ -40,7 +42,7 @@ Mesh makeTruss(double lengthM, double widthM) {
     const std::array<glm::vec2, 4> chords{glm::vec2(-half, -half), glm::vec2(half, -half),
                                           glm::vec2(half, half), glm::vec2(-half, half)};
     // Diagonals of about 45 degrees.
-    const int bays = std::max(1, static_cast<int>(std::lround(lengthM / widthM)));
+    const int bays = static_cast<int>(std::clamp(std::round(lengthM / widthM), 1.0, kMostBays));
     Mesh mesh;
     for (std::size_t i = 0; i < chords.size(); ++i) {
         appendBar(mesh, {-0.5f * length, chords[i]}, {0.5f * length, chords[i]}, chordRadiusM, kTubeSides);

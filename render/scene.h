@@ -100,7 +100,9 @@ struct Settings {
     int height = 720;
     float exposureEv100 = 8.0f;
     Integrator integrator = Integrator::kAngle;
-    int samples = 0;  ///< 0: the default of the integrator (4 nodes a piece; 110 for kUniform).
+    /// Nodes over the lit stretch, in fours (kAngle), or samples along the ray (kUniform); 0: as many as the
+    /// beam needs, or the thesis' 110.
+    int samples = 0;
     bool shadows = true;
     bool gobos = true;
     bool bloom = true;  ///< Display only; never in the radiance.

@@ -92,7 +92,8 @@ vec3 transmissionAt(LampSample here) {
     value *= visibilityAt(here.direction * here.distanceM);
 #endif
 #ifdef GOBO
-    value *= goboAt(here.direction, here.distanceM * here.cosAxis, pixelAngle() * here.pathM, false);
+    float toEyeM = here.pathM - (here.distanceM - light.w / here.cosAxis);
+    value *= goboAt(here.direction, here.distanceM * here.cosAxis, pixelAngle() * toEyeM, false);
 #endif
     return value;
 }
