@@ -1,13 +1,16 @@
 #include "app/assignment.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "app/nearest_name.h"
+#include "fixtures/text.h"
 
 namespace hazer::app {
 namespace {
@@ -30,6 +33,21 @@ std::optional<Assignment> parseAssignment(const std::string& text) {
     return Assignment{text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), value};
 }
 
+/// A fixture stops at the end of its range; "Dimmer=50", meant as percent, would pass for 1 without a word.
+void warnIfOutOfRange(const std::string& text, const Assignment& assignment,
+                      const fixtures::Fixture& fixture) {
+    for (const fixtures::AttributeRange& range : fixture.attributes()) {
+        if (!fixtures::equalsIgnoringCase(range.attribute, assignment.attribute)) continue;
+        const bool isWheel = range.wheelSlotCount > 0;
+        const auto [from, to] = isWheel ? std::pair(1.0, static_cast<double>(range.wheelSlotCount))
+                                        : std::minmax({range.physicalFrom, range.physicalTo});
+        if (assignment.value >= from && assignment.value <= to) return;
+        spdlog::warn("--set {}: {} goes from {} to {}; the nearest of them is used", text, range.attribute,
+                     from, to);
+        return;
+    }
+}
+
 }  // namespace
 
 std::string checkAssignment(const std::string& text) {
@@ -45,7 +63,10 @@ void assign(const std::string& text, Patch& patch) {
         throw std::runtime_error(fmt::format("{}: the show has no fixture '{}'.{}", text, assignment->fixture,
                                              suggestName(assignment->fixture, patch.fixtureNames())));
     }
-    if (patched->fixture.hold(assignment->attribute, assignment->value)) return;
+    if (patched->fixture.hold(assignment->attribute, assignment->value)) {
+        warnIfOutOfRange(text, *assignment, patched->fixture);
+        return;
+    }
     throw std::runtime_error(
         fmt::format("{}: '{}' has no attribute '{}'.{}", text, assignment->fixture, assignment->attribute,
                     suggestName(assignment->attribute, attributeNames(patched->fixture))));

@@ -104,6 +104,24 @@ std::vector<std::string> Patch::overlaps() const {
     return sentences;
 }
 
+std::vector<std::string> Patch::fileWarnings() const {
+    constexpr std::size_t kMostPerType = 3;
+    std::set<const fixtures::FixtureType*> reported;
+    std::vector<std::string> sentences;
+    for (const PatchedFixture& patched : fixtures_) {
+        const fixtures::FixtureType& type = patched.fixture.type();
+        if (!reported.insert(&type).second) continue;
+        const std::size_t shown = std::min(type.warnings.size(), kMostPerType);
+        for (std::size_t i = 0; i < shown; ++i) {
+            sentences.push_back(fmt::format("fixture '{}': {}", patched.fixture.name(), type.warnings[i]));
+        }
+        if (shown == type.warnings.size()) continue;
+        sentences.push_back(fmt::format("fixture '{}': {} more; 'hazer inspect' of its file lists them",
+                                        patched.fixture.name(), type.warnings.size() - shown));
+    }
+    return sentences;
+}
+
 void Patch::decode(const protocol::UniverseSet& universes) {
     for (PatchedFixture& patched : fixtures_) {
         const auto found = universes.find(patched.universe);

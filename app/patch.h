@@ -40,6 +40,10 @@ class Patch {
     /// One sentence for each pair of fixtures that share a slot. They are legal, and mostly a mistake.
     std::vector<std::string> overlaps() const;
 
+    /// What was read over in the fixtures' files, such as a gobo picture that is missing; each file once,
+    /// three sentences at most and one that says how many more there are.
+    std::vector<std::string> fileWarnings() const;
+
     /// Gives each fixture its universe; fixtures whose universe is not there keep what they have.
     void decode(const protocol::UniverseSet& universes);
 

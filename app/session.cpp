@@ -48,6 +48,8 @@ Session::Session(Show show, const SessionOptions& options)
       controls_(controlsOf(show_)),
       camera_(show_.cameras.front().camera),
       settings_(settingsOf(show_)) {
+    for (const std::string& warning : patch_.fileWarnings())
+        spdlog::warn("{}: {}", show_.file.string(), warning);
     for (const std::string& overlap : patch_.overlaps()) spdlog::warn("{}: {}", show_.file.string(), overlap);
     patch_.settle();
     if (options.listen) listen(options.port);

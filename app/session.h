@@ -46,6 +46,7 @@ class Session {
 
     const Show& show() const { return show_; }
     Patch& patch() { return patch_; }
+    const Patch& patch() const { return patch_; }
     SceneControls& controls() { return controls_; }
     render::Camera& camera() { return camera_; }
     render::Settings& settings() { return settings_; }

@@ -1,5 +1,7 @@
 #include "app/commands/command.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -25,6 +27,17 @@ class ExamplesFirst : public CLI::Formatter {
 
 void beginHelpWith(CLI::App& command, const std::string& examples) {
     command.formatter(std::make_shared<ExamplesFirst>(examples));
+}
+
+CLI::Validator numberFrom(double smallest, double largest) {
+    const auto check = [smallest, largest](const std::string& text) {
+        double value = 0.0;
+        if (CLI::detail::lexical_cast(text, value) && value >= smallest && value <= largest) {
+            return std::string();
+        }
+        return fmt::format("'{}' must be a number from {} to {}", text, smallest, largest);
+    };
+    return CLI::Validator(check, fmt::format("in [{} - {}]", smallest, largest));
 }
 
 }  // namespace hazer::app

@@ -6,7 +6,8 @@
 
 namespace CLI {
 class App;
-}
+class Validator;
+}  // namespace CLI
 
 namespace hazer::app {
 
@@ -28,5 +29,8 @@ void addInspectCommand(CLI::App& program, Command& chosen);
 
 /// Lets the help of a command (or of the program) begin with examples, one a line.
 void beginHelpWith(CLI::App& command, const std::string& examples);
+
+/// A number from `smallest` to `largest`. CLI::Range lets NaN through, which is neither above nor below.
+CLI::Validator numberFrom(double smallest, double largest);
 
 }  // namespace hazer::app

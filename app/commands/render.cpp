@@ -1,7 +1,9 @@
 // hazer render: a picture, numbered frames or a film of a show, without a window.
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -93,6 +95,18 @@ void listenFor(double seconds) {
     }
 }
 
+/// Silence is no mistake of the show, but whoever listens wants to know why the picture is dark.
+void warnIfNothingArrived(const Session& session) {
+    const std::vector<protocol::UniverseId> patched = session.patch().universes();
+    const auto hasArrived = [&](const protocol::UniverseId& id) { return session.universes().contains(id); };
+    if (patched.empty() || std::any_of(patched.begin(), patched.end(), hasArrived)) return;
+    spdlog::warn(
+        "no DMX arrived for the universes of the show on UDP port {}; check the desk's address and "
+        "universe, and whether another program took it: of programs on one port only one hears what is "
+        "sent to this machine alone, all hear a broadcast",
+        session.port());
+}
+
 void renderStill(Session& session, const RenderOptions& options) {
     session.draw();
     writePicture(session.renderer(), options.out);
@@ -145,6 +159,7 @@ int runRender(RenderOptions options) {
     applySettings(options, session);
     listenFor(options.listenS);
     session.advance(0.0);
+    if (options.listenS > 0.0) warnIfNothingArrived(session);
     session.settle();
     renderAsAsked(session, options);
     fmt::print("{}\n", options.out);
@@ -158,7 +173,7 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
         ->check(checkSize);
     command.add_option("--camera", options.camera, "Name of a camera of the show; its first unless given");
     command.add_option("--ev", options.ev100, "Exposure as EV100, -20..40; the show's unless given")
-        ->check(CLI::Range(-20.0, 40.0));
+        ->check(numberFrom(-20.0, 40.0));
     command
         .add_option("--integrator", options.integrator, "How light in the haze is summed; angle unless given")
         ->check(CLI::IsMember({"angle", "uniform"}));
@@ -170,12 +185,12 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
 
 void addTimeOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("--time", options.timeS, "Seconds since the start, for the haze that moves")
-        ->check(CLI::Range(0.0, 1e6));
+        ->check(numberFrom(0.0, 1e6));
     command
         .add_option("--seconds", options.seconds, "Length of a film (10 unless given) or of numbered frames")
-        ->check(CLI::Range(0.001, 86400.0));
+        ->check(numberFrom(0.001, 86400.0));
     command.add_option("--fps", options.framesPerS, "Frames a second, 1..240; 25 unless given")
-        ->check(CLI::Range(1.0, 240.0));
+        ->check(numberFrom(1.0, 240.0));
 }
 
 void addInputOptions(CLI::App& command, RenderOptions& options) {
@@ -185,7 +200,7 @@ void addInputOptions(CLI::App& command, RenderOptions& options) {
             "Hold an attribute, FIXTURE.Attribute=VALUE (deg, Hz, 0..1, slot of a wheel); may be repeated")
         ->check(checkAssignment);
     command.add_option("--listen", options.listenS, "Listen so many seconds, then draw what stands")
-        ->check(CLI::Range(0.001, 86400.0));
+        ->check(numberFrom(0.001, 86400.0));
     command.add_option("--port", options.port, "UDP port instead of those of the show's inputs")
         ->check(CLI::Range(1, 65535));
 }

@@ -106,11 +106,11 @@ void addSendCommand(CLI::App& program, Command& chosen) {
         ->add_option("--slot", options->levels, "A slot by hand, SLOT=VALUE: 1..512, 0..255; may be repeated")
         ->check(checkLevel);
     command->add_option("--fps", options->packetsPerS, "Packets a second, 1..1000; 44 unless given")
-        ->check(CLI::Range(1.0, 1000.0));
+        ->check(numberFrom(1.0, 1000.0));
     command->add_option("--to", options->address, "IPv4 address of the receiver; 127.0.0.1 unless given");
     command->add_option("--port", options->port, "UDP port; 6454 unless given")->check(CLI::Range(1, 65535));
     command->add_option("--seconds", options->seconds, "How long; until Ctrl-C unless given")
-        ->check(CLI::Range(0.001, 1e6));
+        ->check(numberFrom(0.001, 1e6));
     command->callback([options, &chosen] { chosen = [options] { return runSend(*options); }; });
 }
 

@@ -80,6 +80,38 @@ TEST_F(RenderTest, drawsWhatTheDeskSends) {
     EXPECT_GT(brightest(render::readFloatImage(file)), 1.0);
 }
 
+TEST_F(RenderTest, saysThatNothingArrived) {
+    const std::string port = std::to_string(test::OccupiedPort().port());
+    const test::ProcessResult result =
+        render(kOneSpot, {"--listen", "0.1", "--port", port, "--out", fileIn("a.png")});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_THAT(result.errors, HasSubstr("no DMX arrived"));
+    EXPECT_THAT(result.errors, HasSubstr(port));
+}
+
+TEST_F(RenderTest, saysThatAValueIsOutOfRange) {
+    const test::ProcessResult percent =
+        render(kOneSpot, {"--set", "spot1.Dimmer=50", "--set", "spot1.Gobo1=99", "--out", fileIn("a.png")});
+    EXPECT_EQ(percent.exitCode, 0);
+    EXPECT_THAT(percent.errors, HasSubstr("Dimmer goes from 0 to 1"));
+    EXPECT_THAT(percent.errors, HasSubstr("Gobo1 goes from 1 to 12"));
+    const test::ProcessResult inRange =
+        render(kOneSpot, {"--set", "spot1.Dimmer=1", "--set", "spot1.Pan=-270", "--out", fileIn("a.png")});
+    EXPECT_EQ(inRange.errors, "");
+}
+
+TEST_F(RenderTest, missingGobo) {
+    std::filesystem::copy(libraryFolder() / "moving-spot", folder_.path() / "spot",
+                          std::filesystem::copy_options::recursive);
+    std::filesystem::remove(folder_.path() / "spot/wheels/stars.png");
+    const std::string fixture = "[[fixture]]\nname='a'\ngdtf='spot'\nmode='Basic'\nuniverse=0\nslot=1\n";
+    const std::string show = folder_.write("a.toml", fixture).string();
+    const test::ProcessResult result = render(show, {"--out", fileIn("a.png")});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_THAT(result.errors, StartsWith("hazer: warning: " + show + ": fixture 'a': "));
+    EXPECT_THAT(result.errors, HasSubstr("stars"));
+}
+
 TEST_F(RenderTest, unknownFixtureAttributeAndCamera) {
     const test::ProcessResult fixture =
         render(kOneSpot, {"--set", "spot2.Dimmer=1", "--out", fileIn("a.png")});

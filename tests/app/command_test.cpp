@@ -56,6 +56,11 @@ TEST(Program, wrongUsageIsExitCode1) {
     EXPECT_EQ(hazer({"send", "--slot", "513=1"}).exitCode, 1);
     EXPECT_EQ(hazer({"send", "--slot", "1=256"}).exitCode, 1);
     EXPECT_EQ(hazer({"send", "--port", "0"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--seconds", "nan"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--fps", "nan", "--seconds", "0.1"}).exitCode, 1);
+    EXPECT_EQ(hazer({"render", "a.toml", "--ev", "nan"}).exitCode, 1);
+    EXPECT_EQ(hazer({"render", "a.toml", "--ev", "41"}).exitCode, 1);
+    EXPECT_EQ(hazer({"render", "a.toml", "--listen", "nan"}).exitCode, 1);
 }
 
 TEST(Program, missingShow) {
