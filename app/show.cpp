@@ -11,6 +11,7 @@
 
 #include "app/light_color.h"
 #include "app/nearest_name.h"
+#include "app/toml_nesting.h"
 #include "app/toml_reader.h"
 
 namespace hazer::app {
@@ -251,6 +252,9 @@ const ShowCamera& Show::camera(std::string_view name) const {
 }
 
 Show parseShow(std::string_view text, const std::filesystem::path& file) {
+    if (const auto line = lineOfDeepKey(text)) {
+        failInShow(file, *line, "a key has too many dots; no key of a show needs them");
+    }
     try {
         const toml::table table = toml::parse(text, file.string());
         return readShow(TomlReader(table, file, "the show"), file);

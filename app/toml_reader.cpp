@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "app/nearest_name.h"
@@ -43,7 +43,10 @@ const toml::node& TomlReader::required(std::string_view key) {
 
 double TomlReader::numberOf(const toml::node& node, std::string_view key, Limits limits) const {
     if (!node.is_number()) failAt(node, fmt::format("'{}' in {} must be a number", key, label_));
-    const double number = *node.value<double>();
+    // A whole number that no double holds exactly is refused by value<double>(), and is a number all the
+    // same.
+    const double number =
+        node.is_integer() ? static_cast<double>(*node.value<std::int64_t>()) : *node.value<double>();
     if (!(number >= limits.lowest && number <= limits.highest)) {
         failAt(node, fmt::format("'{}' in {} is {}, which must be {} to {}", key, label_, number,
                                  limits.lowest, limits.highest));

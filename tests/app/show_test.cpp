@@ -127,10 +127,28 @@ TEST(Show, listsTheTypesOfObjects) {
 TEST(Show, refusesNumbersOutOfRange) {
     EXPECT_THAT(errorOf("[haze]\nnoise = 1.5"), HasSubstr("'noise' in [haze] is 1.5, which must be 0 to 1"));
     EXPECT_THAT(errorOf("[haze]\nextinction = nan"), HasSubstr("must be 0 to 10"));
+    EXPECT_THAT(errorOf("background = [0, 9223372036854775807, 0]"), HasSubstr("which must be 0 to 1000000"));
     EXPECT_THAT(errorOf("[exposure]\nev100 = \"8\""), HasSubstr("must be a number"));
     EXPECT_THAT(errorOf("background = [1, 2]"), HasSubstr("must be a list of three numbers"));
     EXPECT_THAT(errorOf("[[object]]\ntype = \"box\"\nsize = [1, 0, 1]"), HasSubstr("above 0 along y"));
     EXPECT_THAT(errorOf("[[object]]\ntype = \"wall\"\nshadow = 1"), HasSubstr("must be true or false"));
+}
+
+TEST(Show, refusesKeysThatNestWithoutEnd) {
+    std::string deep = "a";
+    for (int i = 0; i < 100'000; ++i) deep += ".'='";
+    for (const std::string& text : {deep + " = 1", "[" + deep + "]", "haze = {" + deep + " = 1}"}) {
+        EXPECT_THAT(errorOf("title = \"\"\"b\"\"\"\"\n" + text),
+                    StartsWith("folder/a.toml:2: a key has too many dots"));
+    }
+}
+
+TEST(Show, dotsInTextsAndCommentsAreNoKeys) {
+    const std::string dots(100, '.');
+    for (const std::string quote : {"\"", "'", "\"\"\"", "\'\'\'"}) {
+        const std::string text = "title = " + quote + dots + quote + "  # " + dots + "\n# " + dots;
+        EXPECT_EQ(parse(text).title, dots);
+    }
 }
 
 TEST(Show, refusesAFixtureWithoutItsPatch) {
