@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <regex>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "render/image.h"
 
@@ -18,8 +18,16 @@ OutputKind outputKind(const std::filesystem::path& file) {
     throw std::runtime_error(fmt::format("{}: the file must end in .png, .exr or .mp4", file.string()));
 }
 
+void makeFolder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!error) return;
+    throw std::runtime_error(fmt::format("{}: the folder cannot be made ({}); choose another place",
+                                         folder.string(), error.message()));
+}
+
 void makeFolderOf(const std::filesystem::path& file) {
-    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+    if (file.has_parent_path()) makeFolder(file.parent_path());
 }
 
 void writePicture(render::Renderer& renderer, const std::filesystem::path& file) {

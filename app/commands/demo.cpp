@@ -133,7 +133,7 @@ int runHeadless(const DemoOptions& options) {
     const std::filesystem::path folder = options.folder;
     const std::filesystem::path picture = folder / "demo.png";
     const std::filesystem::path filmFile = folder / "demo.mp4";
-    std::filesystem::create_directories(folder);
+    makeFolder(folder);
     Show show = demoShow();
     const render::gl::HeadlessContext context;
     Session session(std::move(show), {.listen = true, .port = std::uint16_t{0}});

@@ -1,11 +1,14 @@
 #include "app/picture_file.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
 namespace hazer::app {
 namespace {
+
+using ::testing::StartsWith;
 
 TEST(NumberedFile, fillsThePattern) {
     EXPECT_EQ(numberedFile("a/frame_%04d.png", 7), "a/frame_0007.png");
@@ -27,6 +30,15 @@ TEST(OutputKind, isToldByTheExtension) {
     EXPECT_EQ(outputKind("a.mp4"), OutputKind::kFilm);
     EXPECT_THROW(outputKind("a.jpg"), std::runtime_error);
     EXPECT_THROW(outputKind("png"), std::runtime_error);
+}
+
+TEST(MakeFolder, saysWhichOneCannotBeMade) {
+    try {
+        makeFolder("/dev/null/look");
+        FAIL();
+    } catch (const std::runtime_error& error) {
+        EXPECT_THAT(error.what(), StartsWith("/dev/null/look: the folder cannot be made"));
+    }
 }
 
 }  // namespace
