@@ -10,8 +10,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kRadPerDeg = kPi / 180.0;
-// Above this the super-Gaussian is a flat top with a steep edge for every purpose (volumetric optics 7.1:
-// "cap at ~12").
+// Above this the super-Gaussian is a flat top with a steep edge for every purpose.
 constexpr double kMaxExponent = 12.0;
 constexpr double kMinExponent = 1.0;
 

@@ -11,7 +11,7 @@ struct BeamShape {
     double beamHalfAngleRad = 0.0;   ///< 50 % of the peak; equals cutHalfAngleRad where the profile is flat.
     double fieldHalfAngleRad = 0.0;  ///< 10 % of the peak; the edge of a gobo.
     double cutHalfAngleRad = 0.0;    ///< Nothing beyond; below 89.5 degrees.
-    double exponent = 0.0;           ///< Of the super-Gaussian, 2..12; 0: flat.
+    double exponent = 0.0;           ///< Of the super-Gaussian, 1..12; 0: flat.
     double apexToLensM =
         0.0;  ///< The virtual apex lies this far behind the lens: the cone is as wide as the lens there.
     double peakCd = 0.0;  ///< On the axis, as seen from the virtual apex.

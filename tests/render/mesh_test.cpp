@@ -135,6 +135,10 @@ TEST(Shapes, TrussIsMostlyAir) {
     EXPECT_LT(share, 0.15);
 }
 
+TEST(Shapes, TrussOfAnyLengthHasBoundedLacing) {
+    EXPECT_LT(makeTruss(1e5, 1e-5).indices.size(), 1'000'000u);
+}
+
 TEST(Shapes, PersonStandsOnTheFloorAndLooksTowardsTheAudience) {
     const Mesh person = makePerson();
     expectClosed(person);
