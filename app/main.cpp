@@ -44,7 +44,8 @@ int main(int argumentCount, char** arguments) {
         "  hazer render myshow.toml --out look.png     a picture, no window needed\n"
         "  hazer COMMAND --help                        examples and options of one command\n");
     program.set_version_flag("--version", "hazer " HAZER_VERSION);
-    program.require_subcommand(1);
+    // One or none: with "at least one" a mistyped command would only be told that a command is missing.
+    program.require_subcommand(0, 1);
     Command chosen;
     addLiveCommand(program, chosen);
     addDemoCommand(program, chosen);
@@ -55,6 +56,10 @@ int main(int argumentCount, char** arguments) {
         program.parse(argumentCount, arguments);
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? kExitOk : kExitUsage;
+    }
+    if (!chosen) {
+        fmt::print(stderr, "{}", program.help());
+        return kExitUsage;
     }
     return run(chosen);
 }

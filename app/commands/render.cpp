@@ -110,6 +110,7 @@ void warnIfNothingArrived(const Session& session) {
 void renderStill(Session& session, const RenderOptions& options) {
     session.draw();
     writePicture(session.renderer(), options.out);
+    fmt::print("{}\n", options.out);
 }
 
 /// Draws frame after frame, 1/fps apart, and gives each to `take(index)`.
@@ -133,11 +134,15 @@ void renderFilm(Session& session, const RenderOptions& options) {
     Film film(options.out, {settings.width, settings.height, options.framesPerS});
     renderFrames(session, options, [&](int) { film.add(session.renderer().readDisplay()); });
     film.finish();
+    fmt::print("{}\n", options.out);
 }
 
 void renderNumbered(Session& session, const RenderOptions& options) {
-    renderFrames(session, options,
-                 [&](int index) { writePicture(session.renderer(), numberedFile(options.out, index)); });
+    renderFrames(session, options, [&](int index) {
+        const std::filesystem::path file = numberedFile(options.out, index);
+        writePicture(session.renderer(), file);
+        fmt::print("{}\n", file.string());
+    });
 }
 
 void renderAsAsked(Session& session, const RenderOptions& options) {
@@ -162,7 +167,6 @@ int runRender(RenderOptions options) {
     if (options.listenS > 0.0) warnIfNothingArrived(session);
     session.settle();
     renderAsAsked(session, options);
-    fmt::print("{}\n", options.out);
     return kExitOk;
 }
 

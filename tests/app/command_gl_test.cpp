@@ -54,6 +54,8 @@ TEST_F(RenderTest, writesNumberedFrames) {
     ASSERT_EQ(result.exitCode, 0) << result.errors;
     EXPECT_TRUE(std::filesystem::exists(fileIn("frame_0002.png")));
     EXPECT_FALSE(std::filesystem::exists(fileIn("frame_0003.png")));
+    EXPECT_EQ(result.output, fileIn("frame_0000.png") + "\n" + fileIn("frame_0001.png") + "\n" +
+                                 fileIn("frame_0002.png") + "\n");
 }
 
 TEST_F(RenderTest, drawsWhatTheDeskSends) {

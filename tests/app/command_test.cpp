@@ -63,6 +63,16 @@ TEST(Program, wrongUsageIsExitCode1) {
     EXPECT_EQ(hazer({"render", "a.toml", "--listen", "nan"}).exitCode, 1);
 }
 
+TEST(Program, namesAMistypedCommand) {
+    EXPECT_THAT(hazer({"paint"}).errors, HasSubstr("paint"));
+    EXPECT_THAT(hazer({}).errors, StartsWith("Examples:"));
+}
+
+// A pipe blocks whoever reads it; a device may never end.
+TEST(Program, aFixtureFileThatIsADevice) {
+    expectBadInput(hazer({"inspect", "/dev/zero"}), "/dev/zero");
+}
+
 TEST(Program, missingShow) {
     expectBadInput(hazer({"render", "/nowhere/a.toml"}), "/nowhere/a.toml");
     expectBadInput(hazer({"inspect", "/nowhere/a.toml"}), "/nowhere/a.toml");
