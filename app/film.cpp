@@ -123,7 +123,13 @@ void Film::finish() {
         throw std::runtime_error(fmt::format(
             "{}: ffmpeg could not write the film; is there room, and may it write there?", file_.string()));
     }
-    std::filesystem::rename(unfinished_, file_);
+    std::error_code error;
+    std::filesystem::rename(unfinished_, file_, error);
+    if (error) {
+        throw std::runtime_error(
+            fmt::format("{}: the finished film cannot be put there: {}; give another --out", file_.string(),
+                        error.message()));
+    }
     encoder_.reset();
 }
 

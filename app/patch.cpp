@@ -89,6 +89,8 @@ std::vector<protocol::UniverseId> Patch::universes() const {
 }
 
 std::vector<std::string> Patch::overlaps() const {
+    // A whole rig left at address 1 is one mistake, not hundreds.
+    constexpr std::size_t kMostSaid = 5;
     std::map<std::pair<protocol::UniverseId, int>, const fixtures::Fixture*> owners;
     std::set<std::pair<const fixtures::Fixture*, const fixtures::Fixture*>> reported;
     std::vector<std::string> sentences;
@@ -100,6 +102,11 @@ std::vector<std::string> Patch::overlaps() const {
                                             owner->second->name(), patched.fixture.name(), slot,
                                             patched.universe.number));
         }
+    }
+    if (sentences.size() > kMostSaid) {
+        const std::size_t more = sentences.size() - kMostSaid;
+        sentences.resize(kMostSaid);
+        sentences.push_back(fmt::format("{} more pairs of fixtures share slots", more));
     }
     return sentences;
 }

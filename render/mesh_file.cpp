@@ -126,7 +126,9 @@ const aiScene& import(Assimp::Importer& importer, const fs::path& file) {
 Mesh loadMesh(const fs::path& file) {
     std::error_code error;
     if (!fs::is_regular_file(file, error)) throw cannotRead(file, "there is no such file");
-    if (fs::file_size(file) > kMaxFileBytes) {
+    const std::uintmax_t bytes = fs::file_size(file, error);
+    if (error) throw cannotRead(file, error.message());
+    if (bytes > kMaxFileBytes) {
         throw cannotRead(file, fmt::format("it is larger than {} MiB; simplify it", kMaxFileBytes >> 20));
     }
     Assimp::Importer importer;
