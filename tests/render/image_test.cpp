@@ -10,6 +10,7 @@
 #include <string>
 
 #include "render/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace hazer::render {
 namespace {
@@ -18,20 +19,15 @@ namespace fs = std::filesystem;
 
 class ImageFile : public testing::Test {
  protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / ("hazer_image_" + std::string(test->name()));
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     std::size_t filesInFolder() const {
         return static_cast<std::size_t>(
-            std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+            std::distance(fs::directory_iterator(folder()), fs::directory_iterator()));
     }
 
-    fs::path folder_;
+    const fs::path& folder() const { return folder_.path(); }
+
+ private:
+    test::TemporaryFolder folder_;
 };
 
 FloatImage radiance() {
@@ -83,7 +79,7 @@ class FileSizeLimit {
 };
 
 TEST_F(ImageFile, ExrKeepsEveryBitOfRadiance) {
-    const fs::path file = folder_ / "a.exr";
+    const fs::path file = folder() / "a.exr";
     writeImage(radiance(), file);
     const FloatImage read = readFloatImage(file);
     EXPECT_EQ(read.width, 2);
@@ -98,7 +94,7 @@ TEST_F(ImageFile, AtFindsTheRowFromTheTop) {
 }
 
 TEST_F(ImageFile, PngKeepsEveryByte) {
-    const fs::path file = folder_ / "a.PNG";
+    const fs::path file = folder() / "a.PNG";
     writeImage(display(), file);
     const ByteImage read = readByteImage(file);
     EXPECT_EQ(read.width, 3);
@@ -107,7 +103,7 @@ TEST_F(ImageFile, PngKeepsEveryByte) {
 }
 
 TEST_F(ImageFile, WritingReplacesAndLeavesNothingElseBehind) {
-    const fs::path file = folder_ / "a.png";
+    const fs::path file = folder() / "a.png";
     writeImage(largeDisplay(), file);
     writeImage(display(), file);
     EXPECT_EQ(readByteImage(file).width, 3);
@@ -115,21 +111,21 @@ TEST_F(ImageFile, WritingReplacesAndLeavesNothingElseBehind) {
 }
 
 TEST_F(ImageFile, MissingFolderIsNamed) {
-    const std::string message = messageOf([&] { writeImage(display(), folder_ / "no" / "a.png"); });
-    EXPECT_NE(message.find((folder_ / "no").string()), std::string::npos) << message;
+    const std::string message = messageOf([&] { writeImage(display(), folder() / "no" / "a.png"); });
+    EXPECT_NE(message.find((folder() / "no").string()), std::string::npos) << message;
     EXPECT_NE(message.find("create it"), std::string::npos) << message;
 }
 
 TEST_F(ImageFile, ExtensionThatDoesNotFitIsRefused) {
-    EXPECT_NE(messageOf([&] { writeImage(display(), folder_ / "a.exr"); }).find(".png"), std::string::npos);
-    EXPECT_NE(messageOf([&] { writeImage(radiance(), folder_ / "a.xyz"); }).find("'.xyz'"),
+    EXPECT_NE(messageOf([&] { writeImage(display(), folder() / "a.exr"); }).find(".png"), std::string::npos);
+    EXPECT_NE(messageOf([&] { writeImage(radiance(), folder() / "a.xyz"); }).find("'.xyz'"),
               std::string::npos);
-    EXPECT_NE(messageOf([&] { writeImage(radiance(), folder_ / "a"); }).find(".exr"), std::string::npos);
+    EXPECT_NE(messageOf([&] { writeImage(radiance(), folder() / "a"); }).find(".exr"), std::string::npos);
     EXPECT_EQ(filesInFolder(), 0u);
 }
 
 TEST_F(ImageFile, FullDiskLeavesTheOlderPicture) {
-    const fs::path file = folder_ / "a.png";
+    const fs::path file = folder() / "a.png";
     writeImage(display(), file);
     std::string message;
     {
@@ -142,19 +138,19 @@ TEST_F(ImageFile, FullDiskLeavesTheOlderPicture) {
 }
 
 TEST_F(ImageFile, FolderInTheWayIsReportedAndNoTemporaryStays) {
-    const fs::path file = folder_ / "a.png";
+    const fs::path file = folder() / "a.png";
     fs::create_directory(file);
     EXPECT_NE(messageOf([&] { writeImage(display(), file); }).find("cannot write"), std::string::npos);
     EXPECT_EQ(filesInFolder(), 1u);
 }
 
 TEST_F(ImageFile, MissingPictureIsNamed) {
-    const fs::path file = folder_ / "none.png";
+    const fs::path file = folder() / "none.png";
     EXPECT_NE(messageOf([&] { readByteImage(file); }).find(file.string()), std::string::npos);
 }
 
 TEST_F(ImageFile, TruncatedPictureIsRefused) {
-    const fs::path file = folder_ / "a.png";
+    const fs::path file = folder() / "a.png";
     writeImage(largeDisplay(), file);
     const std::uintmax_t whole = fs::file_size(file);
     for (const std::uintmax_t size : {std::uintmax_t{0}, std::uintmax_t{7}, std::uintmax_t{40}, whole / 2}) {
@@ -165,13 +161,13 @@ TEST_F(ImageFile, TruncatedPictureIsRefused) {
 
 TEST_F(ImageFile, HeaderThatAsksForTooMuchIsRefusedBeforeAllocating) {
     // A PNM header is plain text: 60000 x 60000 pixels and no data.
-    const fs::path file = folder_ / "huge.ppm";
+    const fs::path file = folder() / "huge.ppm";
     std::ofstream(file) << "P6\n60000 60000\n255\n";
     EXPECT_NE(messageOf([&] { readByteImage(file); }).find("60000 x 60000"), std::string::npos);
 }
 
 TEST_F(ImageFile, GreyBecomesRgb) {
-    const fs::path file = folder_ / "grey.pgm";
+    const fs::path file = folder() / "grey.pgm";
     std::ofstream(file) << "P5\n2 1\n255\n\x10\x20";
     EXPECT_EQ(readByteImage(file).rgb, (std::vector<std::uint8_t>{16, 16, 16, 32, 32, 32}));
 }

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <initializer_list>
 #include <limits>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "render/error.h"
 #include "render/mesh.h"
+#include "tests/support/temporary_folder.h"
 
 namespace hazer::render {
 namespace {
@@ -18,21 +18,11 @@ namespace fs = std::filesystem;
 
 class MeshFile : public testing::Test {
  protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / ("hazer_mesh_" + std::string(test->name()));
-        fs::remove_all(folder_);
-        fs::create_directories(folder_ / "models");
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     fs::path write(const std::string& name, std::string_view bytes) const {
-        const fs::path file = folder_ / "models" / name;
-        std::ofstream(file, std::ios::binary) << bytes;
-        return file;
+        return folder_.write(fs::path("models") / name, bytes);
     }
 
-    fs::path folder_;
+    test::TemporaryFolder folder_;
 };
 
 std::string messageOf(const fs::path& file) {
@@ -124,13 +114,13 @@ TEST_F(MeshFile, ThreeDsIsInMillimetresWithZUp) {
 }
 
 TEST_F(MeshFile, BuffersOutsideTheFolderAreNotRead) {
-    std::ofstream(folder_ / "outside.bin", std::ios::binary) << triangleBuffer();
+    folder_.write("outside.bin", triangleBuffer());
     EXPECT_NE(messageOf(write("a.gltf", gltf("../outside.bin", ""))), "no error");
-    EXPECT_NE(messageOf(write("b.gltf", gltf((folder_ / "outside.bin").string(), ""))), "no error");
+    EXPECT_NE(messageOf(write("b.gltf", gltf((folder_.path() / "outside.bin").string(), ""))), "no error");
 }
 
 TEST_F(MeshFile, ErrorsNameTheFileAndTheReason) {
-    const fs::path missing = folder_ / "none.glb";
+    const fs::path missing = folder_.path() / "none.glb";
     EXPECT_NE(messageOf(missing).find(missing.string()), std::string::npos);
     EXPECT_NE(messageOf(missing).find("no such file"), std::string::npos);
     EXPECT_NE(messageOf(write("a.glb", "not a glb")), "no error");

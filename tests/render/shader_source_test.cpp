@@ -4,9 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "render/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace hazer::test {
 namespace {
@@ -15,35 +14,28 @@ using testing::HasSubstr;
 
 class ShaderSource : public testing::Test {
  protected:
-    void SetUp() override {
-        folder_ = std::filesystem::path(testing::TempDir()) / "hazer_shader_source";
-        std::filesystem::create_directories(folder_ / "include");
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-    void write(const std::string& file, const std::string& text) { std::ofstream(folder_ / file) << text; }
-
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
 };
 
 TEST_F(ShaderSource, IncludesEachFileOnceAndKeepsLineNumbers) {
-    write("a.frag",
-          "#version 410 core\n#include \"include/b.glsl\"\n#include \"include/b.glsl\"\nint last;\n");
-    write("include/b.glsl", "#include \"include/b.glsl\"\nint b;\n");
-    const std::string text = render::gl::expandShader(folder_, "a.frag", {});
+    folder_.write("a.frag",
+                  "#version 410 core\n#include \"include/b.glsl\"\n#include \"include/b.glsl\"\nint last;\n");
+    folder_.write("include/b.glsl", "#include \"include/b.glsl\"\nint b;\n");
+    const std::string text = render::gl::expandShader(folder_.path(), "a.frag", {});
     EXPECT_EQ(text.find("int b;"), text.rfind("int b;"));
     EXPECT_THAT(text, HasSubstr("#line 4 1\nint last;"));
 }
 
 TEST_F(ShaderSource, FeaturesFollowTheVersionLine) {
-    write("a.frag", "#version 410 core\nint a;\n");
-    EXPECT_THAT(render::gl::expandShader(folder_, "a.frag", {"GOBO", "SHADOW"}),
+    folder_.write("a.frag", "#version 410 core\nint a;\n");
+    EXPECT_THAT(render::gl::expandShader(folder_.path(), "a.frag", {"GOBO", "SHADOW"}),
                 testing::StartsWith("#version 410 core\n#define GOBO 1\n#define SHADOW 1\n"));
 }
 
 TEST_F(ShaderSource, AMissingFileIsNamedWithWhoWantsIt) {
-    write("a.frag", "#version 410 core\n#include \"include/none.glsl\"\n");
+    folder_.write("a.frag", "#version 410 core\n#include \"include/none.glsl\"\n");
     try {
-        render::gl::expandShader(folder_, "a.frag", {});
+        render::gl::expandShader(folder_.path(), "a.frag", {});
         FAIL();
     } catch (const render::RenderError& error) {
         EXPECT_THAT(error.what(), HasSubstr("none.glsl"));
