@@ -14,21 +14,24 @@ constexpr double kRadPerDeg = kPi / 180.0;
 constexpr double kMaxExponent = 12.0;
 constexpr double kMinExponent = 1.0;
 
-/// Solid angle weighted by the profile [sr]: flux = peak * this. Simpson's rule; the profile is smooth.
+/// Solid angle weighted by the profile [sr]: flux = peak * this. Runs for every beam and frame, hence
+/// Gauss-Legendre.
 double profileSolidAngle(const BeamShape& shape) {
     if (shape.exponent == 0.0) {
         const double s = std::sin(0.5 * shape.cutHalfAngleRad);
         return 4.0 * kPi * s * s;
     }
-    constexpr int kIntervals = 2000;
-    const double step = shape.cutHalfAngleRad / kIntervals;
+    constexpr int kPieces = 32;
+    glsl::Formulas<double> formulas;
+    const double piece = shape.cutHalfAngleRad / kPieces;
     double sum = 0.0;
-    for (int i = 0; i <= kIntervals; ++i) {
-        const double psi = i * step;
-        const double weight = i == 0 || i == kIntervals ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
-        sum += weight * relativeIntensity(shape, psi) * std::sin(psi);
+    for (int p = 0; p < kPieces; ++p) {
+        for (int i = 0; i < 4; ++i) {
+            const double psi = (p + formulas.gaussNode4(i)) * piece;
+            sum += formulas.gaussWeight4(i) * relativeIntensity(shape, psi) * std::sin(psi);
+        }
     }
-    return 2.0 * kPi * sum * step / 3.0;
+    return 2.0 * kPi * sum * piece;
 }
 
 }  // namespace

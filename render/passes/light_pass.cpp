@@ -67,6 +67,7 @@ float leastPieces(LightFeatures features, int samples) {
 LightPass::LightPass(std::filesystem::path shaderFolder) : shaderFolder_(std::move(shaderFolder)) {
     const std::vector<glm::vec3> corners = hullCorners();
     const std::vector<std::uint16_t> indices = hullIndexList();
+    hullIndexCount_ = static_cast<GLsizei>(indices.size());
     glBindVertexArray(vertexArray_.id());
     glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(glm::vec3)), corners.data(),
@@ -184,7 +185,6 @@ void LightPass::drawBeams(const Inputs& in) {
     glEnable(GL_CULL_FACE);
     glCullFace(GL_FRONT);
     glEnable(GL_DEPTH_CLAMP);
-    const auto indexCount = static_cast<GLsizei>(hullIndexList().size());
     std::size_t firstBeam = 0;
     for (const BeamGroup& group : in.plan.groups) {
         const gl::Program& program = variant(group.features);
@@ -193,7 +193,7 @@ void LightPass::drawBeams(const Inputs& in) {
         setIntegrator(program, in, group.features);
         if ((group.features & kFeatureNoise) != 0) setNoise(program, in);
         bindBeams(firstBeam);
-        glDrawElementsInstanced(GL_TRIANGLES, indexCount, GL_UNSIGNED_SHORT, nullptr,
+        glDrawElementsInstanced(GL_TRIANGLES, hullIndexCount_, GL_UNSIGNED_SHORT, nullptr,
                                 static_cast<GLsizei>(group.beams.size()));
         firstBeam += group.beams.size();
     }

@@ -54,6 +54,7 @@ class LightPass {
     gl::Buffer hullIndices_ = gl::makeBuffer();
     gl::Buffer beams_ = gl::makeBuffer();
     gl::Texture noise_;
+    GLsizei hullIndexCount_ = 0;
     std::size_t beamCount_ = 0;
 };
 
