@@ -57,7 +57,8 @@ BeamShape beamShape(const Beam& beam) {
         shape.cutHalfAngleRad = std::min(shape.beamHalfAngleRad * cut, 89.5 * kRadPerDeg);
     }
     shape.apexToLensM = std::max(beam.lensRadiusM, 0.0) / std::tan(shape.fieldHalfAngleRad);
-    shape.peakCd = std::max(beam.fluxLm, 0.0) / profileSolidAngle(shape);
+    shape.peakCd =
+        beam.intensityCd > 0.0 ? beam.intensityCd : std::max(beam.fluxLm, 0.0) / profileSolidAngle(shape);
     return shape;
 }
 

@@ -14,6 +14,7 @@ using Color = glm::vec3;
 /// Handles given out by Renderer; -1 is none.
 using MeshId = int;
 using GoboId = int;
+using WebId = int;
 
 enum class BeamEdge : std::uint8_t { kFlat, kSoft };
 
@@ -24,14 +25,17 @@ struct Beam {
         1.0};  ///< Columns: image-right, image-up (+Y), and +Z; light goes along -Z. Orthonormal.
     double lensRadiusM = 0.05;   ///< 0: a point source.
     double beamAngleRad = 0.3;   ///< Full angle at 50 % of the peak; at most fieldAngleRad.
-    double fieldAngleRad = 0.4;  ///< Full angle at 10 % of the peak, for kFlat of the cone; (0, 3.1].
+    double fieldAngleRad = 0.4;  ///< Full angle at 10 % of the peak, for kFlat of the cone; (0, 6.2].
     double fluxLm = 0.0;  ///< Luminous flux that leaves the lens without gobo; luminance of `color` is 1.
-    Color color{1.0f};    ///< Luminance (0.2627 R + 0.6780 G + 0.0593 B) of 1 unless black.
+    double intensityCd = 0.0;  ///< Peak as seen from the virtual apex; above 0 it stands in for fluxLm.
+    Color color{1.0f};         ///< Luminance (0.2627 R + 0.6780 G + 0.0593 B) of 1 unless black.
     BeamEdge edge = BeamEdge::kSoft;
     GoboId gobo = -1;
     double goboRotationRad = 0.0;  ///< Counter-clockwise, looking along the beam from the lens.
     double focusDistanceM = 0.0;   ///< Distance from the lens where the gobo is sharp; 0: sharp everywhere.
+    WebId web = -1;                ///< Photometric web that replaces the edge's profile; -1: none.
     bool castsShadow = true;
+    bool showsLens = true;  ///< The lens itself is drawn.
 };
 
 struct Material {
@@ -59,6 +63,8 @@ struct HazeNoise {
     float amount = 0.0f;  ///< 0: even; 1: density between 0 and 2 of the mean.
     float scaleM = 2.5f;  ///< Size of the largest swirls.
     glm::vec3 windMps{0.25f, 0.1f, 0.05f};
+    float turbulence = 1.0f;  ///< 0: the swirls only drift; 1: they roll at a natural speed.
+    std::uint32_t seed = 1;   ///< Another seed, other swirls.
 };
 
 struct Haze {
@@ -66,6 +72,10 @@ struct Haze {
     float scatteringPerM = 0.01f;  ///< At most extinctionPerM in a physical haze.
     PhaseFunction phase;
     HazeNoise noise;
+    /// Treats light scattered by less than the forward lobe's width as not scattered at all
+    /// (delta-Eddington), which stands in for most of multiple scattering in thick haze. Off: exact single
+    /// scattering.
+    bool deltaEddington = false;
 };
 
 /// Even light from everywhere, on surfaces only.
