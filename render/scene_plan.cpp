@@ -129,8 +129,10 @@ ScenePlan planScene(const Scene& scene, const Settings& settings,
     plan.surfaces = !scene.instances.empty();
     plan.air = !lit.empty() && scene.haze.scatteringPerM > 0.0f;
     plan.bloom = settings.bloom;
-    for (const int beam : lit)
-        plan.lenses = plan.lenses || scene.beams[static_cast<std::size_t>(beam)].lensRadiusM > 0.0;
+    for (const int index : lit) {
+        const Beam& beam = scene.beams[static_cast<std::size_t>(index)];
+        plan.lenses = plan.lenses || (beam.showsLens && beam.lensRadiusM > 0.0);
+    }
 
     std::vector<bool> hasShadow(scene.beams.size(), false);
     if (settings.shadows && (plan.air || plan.surfaces)) {
