@@ -22,6 +22,7 @@ struct Formulas {
     using Real2 = glm::vec<2, Scalar>;
     using Real3 = glm::vec<3, Scalar>;
     static constexpr Real PI = Real(3.14159265358979323846);
+#include "shaders/include/beam_medium.glsl"
 #include "shaders/include/beam_profile.glsl"
 #include "shaders/include/beam_ray.glsl"
 #include "shaders/include/gauss_legendre.glsl"

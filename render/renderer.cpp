@@ -11,10 +11,12 @@
 #include "render/gl/texture.h"
 #include "render/gobo_store.h"
 #include "render/mesh_store.h"
+#include "render/passes/air_pass.h"
 #include "render/passes/ambient_pass.h"
 #include "render/passes/antialias_pass.h"
 #include "render/passes/bloom_pass.h"
-#include "render/passes/light_pass.h"
+#include "render/passes/lens_pass.h"
+#include "render/passes/lit_surface_pass.h"
 #include "render/passes/shadow_pass.h"
 #include "render/passes/surface_pass.h"
 #include "render/passes/tone_map_pass.h"
@@ -50,7 +52,9 @@ struct Renderer::Impl {
         : surfaces(shaderFolder),
           shadows(shaderFolder),
           ambient(shaderFolder),
-          lights(shaderFolder),
+          air(shaderFolder),
+          litSurfaces(shaderFolder),
+          lenses(shaderFolder),
           bloom(shaderFolder),
           toneMap(shaderFolder),
           antialias(shaderFolder) {}
@@ -72,7 +76,9 @@ struct Renderer::Impl {
     SurfacePass surfaces;
     ShadowPass shadows;
     AmbientPass ambient;
-    LightPass lights;
+    AirPass air;
+    LitSurfacePass litSurfaces;
+    LensPass lenses;
     BloomPass bloom;
     ToneMapPass toneMap;
     AntialiasPass antialias;
@@ -151,11 +157,12 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     r.pass("surfaces", [&] { r.surfaces.draw(scene, camera, r.meshes); });
     glBindFramebuffer(GL_FRAMEBUFFER, r.radianceTarget.id());
     r.pass("ambient", [&] { r.ambient.draw(scene, r.surfaces); });
-    const LightPass::Inputs lights{
-        scene, camera, settings, plan, r.surfaces, r.gobos.texture(), r.shadows.texture()};
-    r.lights.upload(lights);
-    r.pass("beams", [&] { r.lights.drawBeams(lights); });
-    if (plan.lenses) r.pass("lenses", [&] { r.lights.drawLenses(lights); });
+    const std::vector<GpuBeam> beams = packBeams(scene, plan, camera);
+    const LightInputs lights{scene,      camera, settings,          plan,
+                             r.surfaces, beams,  r.gobos.texture(), r.shadows.texture()};
+    if (!plan.surfaceGroups.empty()) r.pass("lit surfaces", [&] { r.litSurfaces.draw(lights); });
+    if (!plan.airGroups.empty()) r.pass("beams", [&] { r.air.draw(lights); });
+    if (!plan.lenses.empty()) r.pass("lenses", [&] { r.lenses.draw(lights); });
     if (plan.bloom) r.pass("bloom", [&] { r.bloom.draw(r.radiance.id()); });
     r.pass("tone map", [&] { r.drawToneMap(); });
     r.pass("antialias", [&] { r.drawAntialias(); });

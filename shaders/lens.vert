@@ -19,9 +19,9 @@ flat out float radiusM;
 void main() {
     light = beamLight;
     cone = beamCone;
-    radiusM = beamLens.z;
+    radiusM = beamLens.x;
     // A hair in front of the body's own front, so that the two do not fight over depth.
-    vec3 pointM = vec3(corner.xy * beamLens.z, -(beamLight.w + 0.004));
+    vec3 pointM = vec3(corner.xy * beamLens.x, -(beamLight.w + 0.004));
     toEyeM = vec3(beamRow0.w, beamRow1.w, beamRow2.w) - pointM;
     vec3 view = -(beamRow0.xyz * toEyeM.x + beamRow1.xyz * toEyeM.y + beamRow2.xyz * toEyeM.z);
     gl_Position = clipFromView * vec4(view, 1.0);

@@ -4,30 +4,7 @@
 // Whoever includes this provides, for what stands in the beam's way and for uneven haze:
 //     Real3 transmissionAt(LampSample here);   gobo and shadow, 0..1
 //     Real densityAt(Real t);                  haze density relative to the mean, t [m] from the eye
-
-struct BeamOptics {
-    Real cosCut;         // half angle of the cone beyond which there is nothing
-    Real sinCut;
-    Real apexToLensM;
-    Real beamHalfAngle;  // 50 % [rad]
-    Real exponent;       // of the super-Gaussian; 0: flat
-};
-
-struct HazeMedium {
-    Real extinctionPerM;
-    Real scatteringPerM;
-    Real forwardG;
-    Real backwardG;
-    Real forwardWeight;
-};
-
-Real beamProfile(BeamOptics optics, Real cosAxis, Real sinAxis) {
-#ifdef FLAT_PROFILE
-    return Real(1.0);
-#else
-    return optics.exponent > Real(0.0) ? softProfile(atan(sinAxis, cosAxis), optics.beamHalfAngle, optics.exponent) : Real(1.0);
-#endif
-}
+// Needs phase.glsl, beam_ray.glsl, beam_medium.glsl, gauss_legendre.glsl.
 
 // What is smooth at a sample: phase function, attenuation, profile.
 Real beamKernel(LampSample here, BeamOptics optics, HazeMedium haze) {

@@ -231,10 +231,12 @@ TEST_F(BeamGl, UniformIntegratorAgreesOnAWideBeam) {
 }
 
 TEST_F(BeamGl, EveryShaderVariantCompiles) {
-    for (const render::LightFeatures features : render::allLightVariants()) {
-        EXPECT_NO_THROW(render::gl::Program(shaderFolder(), "light.vert", "light.frag",
-                                            render::featureDefines(features)));
-    }
+    const auto compile = [](const char* fragments, render::LightFeatures features) {
+        EXPECT_NO_THROW(
+            render::gl::Program(shaderFolder(), "beam.vert", fragments, render::featureDefines(features)));
+    };
+    for (const auto features : render::allAirVariants()) compile("air.frag", features);
+    for (const auto features : render::allSurfaceVariants()) compile("lit_surface.frag", features);
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ ScenePlan plan(const Scene& scene, const render::Settings& settings = {}) {
 }
 
 render::LightFeatures onlyFeatures(const ScenePlan& p) {
-    EXPECT_EQ(p.groups.size(), 1u);
-    return p.groups.empty() ? 0u : p.groups.front().features;
+    EXPECT_EQ(p.surfaceGroups.size(), 1u);
+    return p.surfaceGroups.empty() ? 0u : p.surfaceGroups.front().features;
 }
 
 TEST(ScenePlan, AFullSceneHasEverything) {
@@ -44,10 +44,13 @@ TEST(ScenePlan, AFullSceneHasEverything) {
     scene.beams.front().gobo = 0;
     scene.haze.noise.amount = 0.5f;
     const ScenePlan p = plan(scene);
-    EXPECT_TRUE(p.air && p.surfaces && p.lenses && p.bloom);
+    EXPECT_TRUE(p.air && p.surfaces && p.bloom);
+    EXPECT_EQ(p.lenses.size(), 1u);
     ASSERT_EQ(p.shadowMaps.size(), 1u);
-    EXPECT_EQ(onlyFeatures(p), render::kFeatureAir | render::kFeatureSurfaces | render::kFeatureGobo |
-                                   render::kFeatureShadow | render::kFeatureNoise);
+    EXPECT_EQ(onlyFeatures(p), render::kFeatureGobo | render::kFeatureShadow);
+    ASSERT_EQ(p.airGroups.size(), 1u);
+    EXPECT_EQ(p.airGroups.front().features,
+              render::kFeatureGobo | render::kFeatureShadow | render::kFeatureNoise);
 }
 
 TEST(ScenePlan, NoHazeNoVolume) {
@@ -56,7 +59,8 @@ TEST(ScenePlan, NoHazeNoVolume) {
     scene.haze.noise.amount = 1.0f;
     const ScenePlan p = plan(scene);
     EXPECT_FALSE(p.air);
-    EXPECT_EQ(onlyFeatures(p) & (render::kFeatureAir | render::kFeatureNoise), 0u);
+    EXPECT_TRUE(p.airGroups.empty());
+    EXPECT_EQ(p.surfaceGroups.size(), 1u);
 }
 
 TEST(ScenePlan, NoCasterInTheConeNoShadow) {
@@ -88,11 +92,12 @@ TEST(ScenePlan, TheShadowReachesToTheFarSideOfItsCaster) {
 TEST(ScenePlan, DarkFixturesAreNotDrawn) {
     Scene scene = sceneWithBall({0.0, 0.0, 2.0});
     scene.beams.front().fluxLm = 0.0;
-    EXPECT_TRUE(plan(scene).groups.empty());
-    EXPECT_FALSE(plan(scene).lenses);
+    EXPECT_TRUE(plan(scene).airGroups.empty());
+    EXPECT_TRUE(plan(scene).surfaceGroups.empty());
+    EXPECT_TRUE(plan(scene).lenses.empty());
     scene.beams.front().fluxLm = 1000.0;
     scene.beams.front().color = glm::vec3(0.0f);
-    EXPECT_TRUE(plan(scene).groups.empty());
+    EXPECT_TRUE(plan(scene).airGroups.empty());
 }
 
 TEST(ScenePlan, GobosSwitchedOffLeaveNoGoboCode) {
@@ -110,9 +115,9 @@ TEST(ScenePlan, BeamsAreGroupedByWhatTheyNeed) {
     scene.beams.push_back(other);
     scene.beams.push_back(scene.beams.front());
     const ScenePlan p = plan(scene);
-    ASSERT_EQ(p.groups.size(), 2u);
+    ASSERT_EQ(p.airGroups.size(), 2u);
     std::size_t beams = 0;
-    for (const render::BeamGroup& group : p.groups) beams += group.beams.size();
+    for (const render::BeamGroup& group : p.airGroups) beams += group.beams.size();
     EXPECT_EQ(beams, 3u);
 }
 
@@ -130,13 +135,27 @@ TEST(ScenePlan, TheBrightestLampsGetTheMaps) {
                             [](const auto& map) { return map.beam >= 10; }));
 }
 
+TEST(ScenePlan, ALampThatHidesItsLensHasNone) {
+    Scene scene = sceneWithBall({9.0, 0.0, 2.0});
+    scene.beams.front().showsLens = false;
+    EXPECT_TRUE(plan(scene).lenses.empty());
+    scene.beams.front().showsLens = true;
+    scene.beams.front().lensRadiusM = 0.0;
+    EXPECT_TRUE(plan(scene).lenses.empty());
+}
+
+void expectListed(const std::vector<render::BeamGroup>& groups,
+                  const std::vector<render::LightFeatures>& all) {
+    for (const render::BeamGroup& group : groups) {
+        EXPECT_NE(std::find(all.begin(), all.end(), group.features), all.end());
+    }
+}
+
 TEST(ScenePlan, EveryGroupsVariantIsListed) {
     Scene scene = sceneWithBall({0.0, 0.0, 2.0});
     scene.haze.noise.amount = 1.0f;
-    const std::vector<render::LightFeatures> all = render::allLightVariants();
-    for (const render::BeamGroup& group : plan(scene).groups) {
-        EXPECT_NE(std::find(all.begin(), all.end(), group.features), all.end());
-    }
+    expectListed(plan(scene).airGroups, render::allAirVariants());
+    expectListed(plan(scene).surfaceGroups, render::allSurfaceVariants());
 }
 
 }  // namespace

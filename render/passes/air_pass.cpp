@@ -1,0 +1,82 @@
+#include "render/passes/air_pass.h"
+
+#include "render/camera.h"
+#include "render/gl/texture.h"
+#include "render/noise_volume.h"
+
+namespace hazer::render {
+namespace {
+
+constexpr int kNoiseSize = 64;
+/// How fast the waves that stir the smoke go round; no two in step.
+constexpr glm::dvec3 kStirHz(0.037, 0.029, 0.043);
+
+/// Pieces of the lit stretch with 4 nodes each. A smooth integrand needs one, a soft edge three; what is cut
+/// up by a gobo, by shadows or by swirls needs more.
+float leastPieces(LightFeatures features, int samples) {
+    if (samples > 0) return 0.25f * static_cast<float>(samples);
+    if ((features & kFeatureGobo) != 0) return 8.0f;
+    if ((features & kFeatureShadow) != 0) return 6.0f;
+    if ((features & kFeatureNoise) != 0) return 5.0f;
+    return (features & kFeatureFlat) != 0 ? 1.0f : 3.0f;
+}
+
+}  // namespace
+
+AirPass::AirPass(std::filesystem::path shaderFolder) : shaderFolder_(std::move(shaderFolder)) {}
+
+const gl::Program& AirPass::variant(LightFeatures features) {
+    const auto found = variants_.find(features);
+    if (found != variants_.end()) return found->second;
+    return variants_.try_emplace(features, shaderFolder_, "beam.vert", "air.frag", featureDefines(features))
+        .first->second;
+}
+
+void AirPass::setHaze(const gl::Program& program, const LightInputs& in, LightFeatures features) {
+    // The thesis marched to its far plane; this is a stage's worth of it.
+    constexpr float kUniformRangeM = 60.0f;
+    const Haze& haze = in.scene.haze;
+    program.set("scatteringPerM", haze.scatteringPerM);
+    program.set("phaseLobes", glm::vec3(haze.phase.forwardG, haze.phase.backwardG, haze.phase.forwardWeight));
+    program.set("leastPieces", leastPieces(features, in.settings.samples));
+    program.set("uniformSamples", in.settings.samples > 0 ? in.settings.samples : 110);
+    program.set("uniformRangeM", kUniformRangeM);
+}
+
+void AirPass::setNoise(const gl::Program& program, const LightInputs& in) {
+    if (noise_.id() == 0) {
+        noise_ = gl::makeTexture();
+        const std::vector<std::uint8_t> bytes = makeNoiseVolume(kNoiseSize, 1);
+        gl::bindTexture(kNoiseUnit, GL_TEXTURE_3D, noise_.id());
+        glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, kNoiseSize, kNoiseSize, kNoiseSize, 0, GL_RED, GL_UNSIGNED_BYTE,
+                     bytes.data());
+        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    }
+    gl::bindTexture(kNoiseUnit, GL_TEXTURE_3D, noise_.id());
+    const HazeNoise& noise = in.scene.haze.noise;
+    const double tileM = kNoiseCells * static_cast<double>(noise.scaleM);
+    const auto fraction = [](const glm::dvec3& v) { return glm::vec3(v - glm::floor(v)); };
+    program.set("worldFromView", glm::mat3(worldFromView(in.camera)));
+    program.set("noiseVolume", kNoiseUnit);
+    program.set("noiseOrigin",
+                fraction((in.camera.positionM - glm::dvec3(noise.windMps) * in.scene.timeS) / tileM));
+    program.set("noisePerM", static_cast<float>(1.0 / tileM));
+    program.set("noiseWave", fraction(kStirHz * in.scene.timeS));
+    program.set("noiseAmount", noise.amount);
+}
+
+void AirPass::draw(const LightInputs& in) {
+    batch_.upload(in.plan.airGroups, in.beams);
+    for (std::size_t i = 0; i < in.plan.airGroups.size(); ++i) {
+        const LightFeatures features = in.plan.airGroups[i].features;
+        const gl::Program& program = variant(features);
+        program.use();
+        setLightUniforms(program, in);
+        setHaze(program, in, features);
+        if ((features & kFeatureNoise) != 0) setNoise(program, in);
+        batch_.drawHulls(i);
+    }
+}
+
+}  // namespace hazer::render

@@ -1,0 +1,145 @@
+#include "render/passes/beam_batch.h"
+
+#include <cmath>
+
+#include "render/camera.h"
+#include "render/gl/texture.h"
+
+namespace hazer::render {
+namespace {
+
+constexpr int kHullCorners = 12;
+constexpr double kPi = 3.14159265358979323846;
+/// How far a beam is followed [m]; the haze has long swallowed it.
+constexpr float kBeamRangeM = 1000.0f;
+
+/// Two rings of corners (see beam.vert); the first ring alone is the lens.
+std::vector<glm::vec3> hullCorners() {
+    std::vector<glm::vec3> corners;
+    for (int ring = 0; ring < 2; ++ring) {
+        for (int i = 0; i < kHullCorners; ++i) {
+            const double angle = 2.0 * kPi * i / kHullCorners;
+            corners.emplace_back(std::cos(angle), std::sin(angle), ring);
+        }
+    }
+    return corners;
+}
+
+/// Sides, then the two lids; counter-clockwise from outside.
+std::vector<std::uint16_t> hullIndexList() {
+    std::vector<std::uint16_t> list;
+    const auto triangle = [&list](int a, int b, int c) {
+        for (const int i : {a, b, c}) list.push_back(static_cast<std::uint16_t>(i));
+    };
+    for (int i = 0; i < kHullCorners; ++i) {
+        const int next = (i + 1) % kHullCorners;
+        triangle(i, i + kHullCorners, next);
+        triangle(next, i + kHullCorners, next + kHullCorners);
+    }
+    for (int i = 1; i + 1 < kHullCorners; ++i) {
+        triangle(0, i, i + 1);
+        triangle(kHullCorners, kHullCorners + i + 1, kHullCorners + i);
+    }
+    return list;
+}
+
+}  // namespace
+
+std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const Camera& camera) {
+    std::vector<int> layers(scene.beams.size(), -1);
+    for (std::size_t i = 0; i < plan.shadowMaps.size(); ++i) {
+        layers[static_cast<std::size_t>(plan.shadowMaps[i].beam)] = static_cast<int>(i);
+    }
+    std::vector<GpuBeam> packed;
+    packed.reserve(scene.beams.size());
+    for (std::size_t i = 0; i < scene.beams.size(); ++i) {
+        const int layer = layers[i];
+        const ShadowProjection shadow =
+            layer < 0 ? ShadowProjection{} : plan.shadowMaps[static_cast<std::size_t>(layer)].projection;
+        packed.push_back(packBeam(scene.beams[i], plan.shapes[i], camera, layer, shadow, plan.shadowMapSize));
+    }
+    return packed;
+}
+
+void setLightUniforms(const gl::Program& program, const LightInputs& in) {
+    const double aspect = static_cast<double>(in.settings.width) / in.settings.height;
+    program.set("clipFromView", glm::mat4(clipFromView(in.camera, aspect)));
+    program.set("viewportPx", glm::vec2(in.settings.width, in.settings.height));
+    program.set("viewTangent", glm::vec2(viewTangent(in.camera, aspect)));
+    program.set("beamRangeM", kBeamRangeM);
+    program.set("circumscribe", static_cast<float>(1.0 / std::cos(kPi / kHullCorners)));
+    program.set("extinctionPerM", in.scene.haze.extinctionPerM);
+    program.set("geometryBuffer", kGeometryUnit);
+    program.set("materialBuffer", kMaterialUnit);
+    program.set("goboImages", kGoboUnit);
+    program.set("shadowMaps", kShadowUnit);
+    gl::bindTexture(kGeometryUnit, GL_TEXTURE_2D, in.surfaces.geometry());
+    gl::bindTexture(kMaterialUnit, GL_TEXTURE_2D, in.surfaces.material());
+    gl::bindTexture(kGoboUnit, GL_TEXTURE_2D_ARRAY, in.gobos);
+    gl::bindTexture(kShadowUnit, GL_TEXTURE_2D_ARRAY, in.shadowMaps);
+}
+
+BeamBatch::BeamBatch() {
+    const std::vector<glm::vec3> corners = hullCorners();
+    const std::vector<std::uint16_t> indices = hullIndexList();
+    hullIndexCount_ = static_cast<GLsizei>(indices.size());
+    glBindVertexArray(vertexArray_.id());
+    glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(glm::vec3)), corners.data(),
+                 GL_STATIC_DRAW);
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, hullIndices_.id());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint16_t)),
+                 indices.data(), GL_STATIC_DRAW);
+    glBindVertexArray(0);
+}
+
+void BeamBatch::upload(std::span<const BeamGroup> groups, const std::vector<GpuBeam>& beams) {
+    std::vector<GpuBeam> ordered;
+    ranges_.clear();
+    for (const BeamGroup& group : groups) {
+        ranges_.push_back({ordered.size(), group.beams.size()});
+        for (const int beam : group.beams) ordered.push_back(beams[static_cast<std::size_t>(beam)]);
+    }
+    glBindBuffer(GL_ARRAY_BUFFER, beams_.id());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(ordered.size() * sizeof(GpuBeam)), ordered.data(),
+                 GL_STREAM_DRAW);
+}
+
+/// 4.1 has no base instance: the instance inputs are pointed at the group's first beam.
+void BeamBatch::bind(const Range& range) {
+    glBindVertexArray(vertexArray_.id());
+    glBindBuffer(GL_ARRAY_BUFFER, beams_.id());
+    for (GLuint i = 0; i < sizeof(GpuBeam) / sizeof(glm::vec4); ++i) {
+        const std::size_t offset = range.first * sizeof(GpuBeam) + i * sizeof(glm::vec4);
+        glEnableVertexAttribArray(1 + i);
+        glVertexAttribPointer(1 + i, 4, GL_FLOAT, GL_FALSE, sizeof(GpuBeam),
+                              reinterpret_cast<const void*>(offset));
+        glVertexAttribDivisor(1 + i, 1);
+    }
+}
+
+void BeamBatch::drawHulls(std::size_t group) {
+    bind(ranges_[group]);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_FRONT);
+    glEnable(GL_DEPTH_CLAMP);
+    glDrawElementsInstanced(GL_TRIANGLES, hullIndexCount_, GL_UNSIGNED_SHORT, nullptr,
+                            static_cast<GLsizei>(ranges_[group].count));
+    glDisable(GL_DEPTH_CLAMP);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+}
+
+void BeamBatch::drawLenses(std::size_t group) {
+    bind(ranges_[group]);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glDrawArraysInstanced(GL_TRIANGLE_FAN, 0, kHullCorners, static_cast<GLsizei>(ranges_[group].count));
+    glDisable(GL_BLEND);
+}
+
+}  // namespace hazer::render

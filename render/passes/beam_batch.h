@@ -1,0 +1,66 @@
+// The beams that one pass draws: their data on the GPU, one instance a beam, and the hull around each.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/gl/handle.h"
+#include "render/gl/program.h"
+#include "render/gpu_beam.h"
+#include "render/passes/surface_pass.h"
+#include "render/scene_plan.h"
+
+namespace hazer::render {
+
+/// What lights are drawn over and with. Textures may be 0 where the plan does not use them.
+struct LightInputs {
+    const Scene& scene;
+    const Camera& camera;
+    const Settings& settings;
+    const ScenePlan& plan;
+    const SurfacePass& surfaces;
+    const std::vector<GpuBeam>& beams;  ///< One per beam of the scene, see packBeams.
+    GLuint gobos = 0;
+    GLuint shadowMaps = 0;
+};
+
+/// Texture units of the shaders that draw beams.
+enum LightTextureUnit : int { kGeometryUnit, kMaterialUnit, kGoboUnit, kShadowUnit, kNoiseUnit };
+
+/// Every beam of the scene as seen by the camera.
+std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const Camera& camera);
+
+/// Sets what every shader that draws beams knows, and binds the textures it looks up.
+void setLightUniforms(const gl::Program& program, const LightInputs& in);
+
+class BeamBatch {
+ public:
+    BeamBatch();
+
+    /// Takes the beams of these groups, group after group.
+    void upload(std::span<const BeamGroup> groups, const std::vector<GpuBeam>& beams);
+
+    /// Draws the back faces of the hulls of one group with the current program, adding to the bound
+    /// framebuffer: they cover a beam from outside and from inside, and clamped depth keeps the near plane
+    /// from cutting them.
+    void drawHulls(std::size_t group);
+
+    /// Draws the lenses of one group as discs.
+    void drawLenses(std::size_t group);
+
+ private:
+    struct Range {
+        std::size_t first = 0;
+        std::size_t count = 0;
+    };
+    void bind(const Range& range);
+
+    gl::VertexArray vertexArray_ = gl::makeVertexArray();
+    gl::Buffer corners_ = gl::makeBuffer();
+    gl::Buffer hullIndices_ = gl::makeBuffer();
+    gl::Buffer beams_ = gl::makeBuffer();
+    GLsizei hullIndexCount_ = 0;
+    std::vector<Range> ranges_;
+};
+
+}  // namespace hazer::render

@@ -1,0 +1,57 @@
+#version 410 core
+// A beam's light on the surface at the end of the pixel's ray.
+#include "include/real.glsl"
+#include "include/beam_profile.glsl"
+#include "include/beam_ray.glsl"
+#include "include/beam_medium.glsl"
+#include "include/surface.glsl"
+#include "include/beam_pixel.glsl"
+
+uniform sampler2D materialBuffer;
+uniform float extinctionPerM;
+
+out vec4 radiance;
+
+#ifdef GOBO
+#include "include/gobo.glsl"
+#endif
+#ifdef SHADOW
+#include "include/shadow.glsl"
+#endif
+
+// Illuminance [lx] of the surface for a lamp of 1 cd; `here` is the surface as the lamp sees it.
+vec3 illuminance(LampSample here, float distanceToEyeM, vec3 normal, float slant) {
+    float axialM = here.distanceM * here.cosAxis;
+    float cosIn = -dot(normal, here.direction);
+    if (here.cosAxis < cone.x || axialM < light.w || cosIn <= 0.0) return vec3(0.0);
+    float lensToSurfaceM = here.distanceM - light.w / here.cosAxis;
+    vec3 lux = vec3(beamProfile(beamOptics(), here.cosAxis, here.sinAxis) * exp(-extinctionPerM * lensToSurfaceM) * cosIn /
+                    (here.distanceM * here.distanceM));
+#ifdef GOBO
+    lux *= goboOnSurface(here.direction, axialM, pixelAngle() * distanceToEyeM / slant);
+#endif
+#ifdef SHADOW
+    // Stepping off the surface by a texel of the map keeps it from shadowing itself.
+    lux *= visibilityAt(here.direction * here.distanceM + normal * (1.5 * lens.y * axialM));
+#endif
+    return lux;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 geometry = texelFetch(geometryBuffer, pixel, 0);
+    if (geometry.z >= SKY_DISTANCE_M) discard;
+    LampRay ray = pixelRay();
+    float s = geometry.z - ray.tClosest;
+    float r = sqrt(ray.h * ray.h + s * s);
+    LampSample here = lampSample(ray, ray.h / r, s / r, light.w);
+    vec3 normal = toLamp(unpackNormal(geometry.xy));
+    vec3 lux = illuminance(here, geometry.z, normal, max(-dot(ray.along, normal), 0.2));
+    if (lux == vec3(0.0)) discard;
+    vec4 material = texelFetch(materialBuffer, pixel, 0);
+    vec3 halfway = normalize(-here.direction - ray.along);
+    // Blinn-Phong, normalised so that a lobe reflects what `specular` says (Akenine-Moeller et al., Real-Time Rendering, ch. 9).
+    float gloss = (geometry.w + 8.0) / (8.0 * PI) * pow(max(dot(normal, halfway), 0.0), geometry.w);
+    vec3 reflected = lux * (material.rgb / PI + material.a * gloss);
+    radiance = vec4(reflected * exp(-extinctionPerM * geometry.z) * light.rgb, 1.0);
+}
