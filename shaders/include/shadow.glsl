@@ -9,3 +9,9 @@ float visibilityAt(vec3 pointM) {
     float depth = min(shadow.w / (shadow.w - shadow.z) * (1.0 - shadow.z / axialM), 1.0);
     return texture(shadowMaps, vec4(uv, shadow.x, depth));
 }
+
+// The part of a stretch of the ray that something may shade; false if there is none.
+bool shadowStretch(LampRay ray, INOUT(float) sFrom, INOUT(float) sTo) { return true; }
+
+// Does the point in the air (lamp space) see the lamp?
+bool seesLamp(vec3 pointM) { return visibilityAt(pointM) > 0.5; }
