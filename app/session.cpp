@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/bare_light.h"
 #include "app/paths.h"
 
 namespace hazer::app {
@@ -45,6 +46,7 @@ Session::Session(Show show, const SessionOptions& options)
       renderer_(shaderFolder()),
       rig_(renderer_),
       dressing_(dressSet(show_, renderer_)),
+      lights_(lightBeams(show_, renderer_)),
       controls_(controlsOf(show_)),
       camera_(show_.cameras.front().camera),
       settings_(settingsOf(show_)) {
@@ -84,6 +86,7 @@ void Session::draw() {
 
 render::Scene Session::scene() {
     render::Scene scene;
+    scene.beams = lights_;
     scene.haze = controls_.haze;
     scene.ambient = controls_.ambient;
     scene.backgroundCdPerM2 = controls_.backgroundCdPerM2;

@@ -85,6 +85,7 @@ class Session {
     render::Renderer renderer_;
     Rig rig_;
     SetDressing dressing_;
+    std::vector<render::Beam> lights_;  ///< Those that no fixture carries.
     SceneControls controls_;
     render::Camera camera_;
     render::Settings settings_;

@@ -11,6 +11,8 @@
 
 #include "app/light_color.h"
 #include "app/nearest_name.h"
+#include "app/show_light.h"
+#include "app/show_limits.h"
 #include "app/toml_nesting.h"
 #include "app/toml_reader.h"
 
@@ -19,12 +21,8 @@ namespace {
 
 constexpr std::uintmax_t kMostBytes = 16u * 1024u * 1024u;
 
-constexpr Limits kShare{0.0, 1.0};
-constexpr Limits kColor{0.0, 1.0};
-constexpr Limits kLight{0.0, 1e6};    // cd/m2, lx
-constexpr Limits kLength{-1e5, 1e5};  // m
-constexpr Limits kSize{0.0, 1e5};     // m
-constexpr Limits kAngle{-1e5, 1e5};   // deg
+constexpr Limits kLight{0.0, 1e6};  // cd/m2, lx
+constexpr Limits kSize{0.0, 1e5};   // m
 constexpr Limits kPerMetre{0.0, 10.0};
 
 const std::vector<std::string> kProtocols{"artnet"};
@@ -76,9 +74,23 @@ glm::bvec3 usedSize(ObjectShape shape) {
     return glm::bvec3(true);
 }
 
+/// A single lobe. The other one has no weight; it stands where the integrator expects it.
+render::PhaseFunction oneLobe(float g) {
+    return g >= 0.0f ? render::PhaseFunction{g, 0.0f, 1.0f} : render::PhaseFunction{0.0f, g, 0.0f};
+}
+
 render::PhaseFunction readPhase(TomlReader reader) {
     render::PhaseFunction phase;
     const Limits belowOne{-0.99, 0.99};
+    if (reader.has("g")) {
+        const auto g = static_cast<float>(reader.requiredNumber("g", belowOne));
+        for (const char* key : {"forward_g", "backward_g", "forward_weight"}) {
+            if (reader.has(key))
+                reader.fail(fmt::format("[phase] has both 'g' and '{}'; keep one of them", key));
+        }
+        reader.refuseUnknownKeys();
+        return oneLobe(g);
+    }
     phase.forwardG = static_cast<float>(reader.number("forward_g", phase.forwardG, belowOne));
     phase.backwardG = static_cast<float>(reader.number("backward_g", phase.backwardG, belowOne));
     phase.forwardWeight = static_cast<float>(reader.number("forward_weight", phase.forwardWeight, kShare));
@@ -93,7 +105,11 @@ render::Haze readHaze(TomlReader reader) {
     haze.noise.amount = static_cast<float>(reader.number("noise", haze.noise.amount, kShare));
     haze.noise.scaleM = static_cast<float>(reader.number("noise_scale", haze.noise.scaleM, {0.01, 1e4}));
     haze.noise.windMps = glm::vec3(reader.vector("wind", glm::dvec3(haze.noise.windMps), {-100.0, 100.0}));
+    haze.noise.turbulence =
+        static_cast<float>(reader.number("turbulence", haze.noise.turbulence, {0.0, 4.0}));
+    haze.noise.seed = static_cast<std::uint32_t>(reader.integer("seed", 1, {0.0, 2147483647.0}));
     if (const auto phase = reader.table("phase")) haze.phase = readPhase(*phase);
+    haze.deltaEddington = reader.flag("delta_eddington", false);
     reader.refuseUnknownKeys();
     return haze;
 }
@@ -155,7 +171,8 @@ ShowFixture readFixture(TomlReader& reader) {
 
 render::Material readMaterial(TomlReader& reader) {
     render::Material material;
-    material.albedo = rec2020FromRec709(reader.vector("color", glm::dvec3(0.5), kColor));
+    const std::string_view albedo = reader.oneOf("albedo", "color").value_or("albedo");
+    material.albedo = rec2020FromRec709(reader.vector(albedo, glm::dvec3(0.5), kColor));
     material.specular = static_cast<float>(reader.number("specular", material.specular, kShare));
     material.shininess = static_cast<float>(reader.number("shininess", material.shininess, {1.0, 1000.0}));
     return material;
@@ -190,19 +207,23 @@ ShowObject readObject(TomlReader& reader, const std::filesystem::path& folder) {
 
 void refuseRepeatedNames(const Show& show) {
     std::set<std::string> names;
-    for (const ShowFixture& fixture : show.fixtures) {
-        if (names.insert(fixture.name).second) continue;
-        failInShow(show.file, fixture.line,
-                   fmt::format("a second fixture is named '{}'; each needs a name of its own", fixture.name));
-    }
+    const auto take = [&](const std::string& name, std::size_t line, const char* what) {
+        if (names.insert(name).second) return;
+        failInShow(show.file, line,
+                   fmt::format("a second {} is named '{}'; each needs a name of its own", what, name));
+    };
+    for (const ShowFixture& fixture : show.fixtures) take(fixture.name, fixture.line, "fixture");
+    for (const ShowLight& light : show.lights) take(light.name, light.line, "fixture or light");
 }
 
 void readLists(TomlReader& reader, Show& show) {
     for (TomlReader& input : reader.tables("input")) show.inputs.push_back(readInput(input));
     for (TomlReader& camera : reader.tables("camera")) show.cameras.push_back(readCamera(camera));
     for (TomlReader& fixture : reader.tables("fixture")) show.fixtures.push_back(readFixture(fixture));
+    const std::filesystem::path folder = show.file.parent_path();
+    for (TomlReader& light : reader.tables("light")) show.lights.push_back(readLight(light, folder));
     for (TomlReader& object : reader.tables("object")) {
-        show.objects.push_back(readObject(object, show.file.parent_path()));
+        show.objects.push_back(readObject(object, folder));
     }
     if (show.cameras.empty()) show.cameras.push_back({"default", render::Camera{}});
 }

@@ -48,6 +48,14 @@ struct ShowFixture {
     std::size_t line = 0;  ///< In the show file, for messages about what the GDTF turns out to hold.
 };
 
+/// A light given by numbers, with no fixture around it and no DMX. Its lens is not drawn.
+struct ShowLight {
+    std::string name;                ///< Unique among lights and fixtures.
+    render::Beam beam;               ///< Whole but for the handle of its gobo.
+    std::filesystem::path goboFile;  ///< As ShowObject::modelFile; empty: none.
+    std::size_t line = 0;            ///< In the show file.
+};
+
 enum class ObjectShape : std::uint8_t {
     kFloor,
     kWall,
@@ -91,6 +99,7 @@ struct Show {
     std::vector<ShowInput> inputs;
     std::vector<ShowCamera> cameras;  ///< Never empty: a show without any gets one named "default".
     std::vector<ShowFixture> fixtures;
+    std::vector<ShowLight> lights;
     std::vector<ShowObject> objects;
 
     /// The camera of that name. Throws ShowError, which lists the names there are.

@@ -41,6 +41,20 @@ const toml::node& TomlReader::required(std::string_view key) {
     return *node;
 }
 
+std::optional<std::string_view> TomlReader::oneOf(std::string_view first, std::string_view second) {
+    const toml::node* other = find(second);
+    if (find(first) == nullptr) return other == nullptr ? std::nullopt : std::optional(second);
+    if (other != nullptr)
+        failAt(*other, fmt::format("{} has both '{}' and '{}'; keep one of them", label_, first, second));
+    return first;
+}
+
+std::string_view TomlReader::requiredOneOf(std::string_view first, std::string_view second) {
+    const std::optional<std::string_view> key = oneOf(first, second);
+    if (!key) fail(fmt::format("{} needs '{}' or '{}'", label_, first, second));
+    return *key;
+}
+
 double TomlReader::numberOf(const toml::node& node, std::string_view key, Limits limits) const {
     if (!node.is_number()) failAt(node, fmt::format("'{}' in {} must be a number", key, label_));
     // A whole number that no double holds exactly is refused by value<double>(), and is a number all the
@@ -92,6 +106,10 @@ double TomlReader::number(std::string_view key, double otherwise, Limits limits)
     return node == nullptr ? otherwise : numberOf(*node, key, limits);
 }
 
+double TomlReader::requiredNumber(std::string_view key, Limits limits) {
+    return numberOf(required(key), key, limits);
+}
+
 int TomlReader::integer(std::string_view key, int otherwise, Limits limits) {
     const toml::node* node = find(key);
     return node == nullptr ? otherwise : integerOf(*node, key, limits);
@@ -123,6 +141,11 @@ glm::dvec3 TomlReader::vector(std::string_view key, const glm::dvec3& otherwise,
         vector[static_cast<glm::length_t>(i)] = numberOf(*array->get(i), key, limits);
     }
     return vector;
+}
+
+glm::dvec3 TomlReader::requiredVector(std::string_view key, Limits limits) {
+    required(key);
+    return vector(key, glm::dvec3(0.0), limits);
 }
 
 std::size_t TomlReader::choice(std::string_view key, std::span<const std::string> choices,

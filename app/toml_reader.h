@@ -30,9 +30,17 @@ class TomlReader {
 
     std::size_t line() const;
 
+    /// Whether the table has the key; it counts as known.
+    bool has(std::string_view key) { return find(key) != nullptr; }
+
+    /// Which of two keys that mean the same the table has; both are refused.
+    std::optional<std::string_view> oneOf(std::string_view first, std::string_view second);
+    std::string_view requiredOneOf(std::string_view first, std::string_view second);
+
     std::string text(std::string_view key, const std::string& otherwise);
     std::string requiredText(std::string_view key);
     double number(std::string_view key, double otherwise, Limits limits);
+    double requiredNumber(std::string_view key, Limits limits);
     int integer(std::string_view key, int otherwise, Limits limits);
     int requiredInteger(std::string_view key, Limits limits);
     bool flag(std::string_view key, bool otherwise);
@@ -40,6 +48,7 @@ class TomlReader {
     /// Three numbers, or two if `lastMayMiss`: the third is then that of `otherwise`.
     glm::dvec3 vector(std::string_view key, const glm::dvec3& otherwise, Limits limits,
                       bool lastMayMiss = false);
+    glm::dvec3 requiredVector(std::string_view key, Limits limits);
 
     /// One of `choices`, as an index into them.
     std::size_t choice(std::string_view key, std::span<const std::string> choices, std::size_t otherwise);

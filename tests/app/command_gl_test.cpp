@@ -142,6 +142,31 @@ TEST_F(RenderTest, missingAndBrokenModel) {
     EXPECT_THAT(broken.errors, HasSubstr("chair.glb"));
 }
 
+TEST_F(RenderTest, goboOfABareLight) {
+    const std::string light =
+        "\n[[light]]\nname='a'\nposition=[0,0,6]\ndirection=[0,0,-1]\ncandela=1e5\nhalf_angle=20\ngobo='f."
+        "png'\n";
+    const std::string show = folder_.write("a.toml", light).string();
+    const auto expectSaid = [&](const char* what) {
+        const test::ProcessResult result = render(show, {"--out", fileIn("a.exr")});
+        EXPECT_EQ(result.exitCode, 2);
+        EXPECT_THAT(result.errors, StartsWith("hazer: " + show + ":2: "));
+        EXPECT_THAT(result.errors, HasSubstr(what));
+        EXPECT_THAT(result.errors, HasSubstr("f.png"));
+    };
+    expectSaid("cannot be opened");
+    folder_.write("f.png", "no picture at all");
+    expectSaid("is no picture that can be used");
+    std::filesystem::remove(folder_.path() / "f.png");
+    std::filesystem::create_directory(folder_.path() / "f.png");
+    expectSaid("is a folder");
+    std::filesystem::remove(folder_.path() / "f.png");
+    std::filesystem::copy(libraryFolder() / "moving-spot/wheels/bars.png", folder_.path() / "f.png");
+    const test::ProcessResult lit = render(show, {"--out", fileIn("a.exr")});
+    ASSERT_EQ(lit.exitCode, 0) << lit.errors;
+    EXPECT_GT(brightest(render::readFloatImage(fileIn("a.exr"))), 0.1);
+}
+
 TEST_F(RenderTest, aPlaceThatCannotBeWritten) {
     const test::ProcessResult result = render(kOneSpot, {"--out", "/proc/nowhere/a.png"});
     EXPECT_EQ(result.exitCode, 2);

@@ -1,5 +1,6 @@
 #include "app/show.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -51,6 +52,22 @@ slot = 17
 position = [1, 2, 6]
 rotation = [180, 0, 90]
 set = {Dimmer = 1.0, Tilt = -30}
+
+[[light]]
+name = "key"
+position = [0, -2, 5]
+target = [0, 0, 0]
+up = [0, 1, 0]
+candela = 20000
+profile = "soft"
+half_angle = 12
+beam_half_angle = 9
+lens_radius = 0.05
+color = [1, 0.8, 0.6]
+gobo = "f.png"
+gobo_rotation = 30
+focus = 5
+shadow = true
 
 [[object]]
 type = "floor"
@@ -108,6 +125,57 @@ TEST(Show, anEmptyFileIsAnEmptyRoomWithACamera) {
 
 TEST(Show, scatteringIsExtinctionUnlessGiven) {
     EXPECT_FLOAT_EQ(parse("[haze]\nextinction = 0.03").haze.scatteringPerM, 0.03f);
+}
+
+TEST(Show, aPhaseOfOneLobe) {
+    const render::PhaseFunction forward = parse("[haze]\nphase={g=0.7}").haze.phase;
+    EXPECT_EQ(forward.forwardG, 0.7f);
+    EXPECT_EQ(forward.forwardWeight, 1.0f);
+    const render::PhaseFunction backward = parse("[haze]\nphase={g=-0.4}").haze.phase;
+    EXPECT_EQ(backward.backwardG, -0.4f);
+    EXPECT_EQ(backward.forwardWeight, 0.0f);
+    for (const char* both : {"g=0.7, forward_g=0.7", "backward_g=0, g=0", "g=0.1, forward_weight=1"}) {
+        EXPECT_THAT(
+            errorOf(fmt::format("\n[haze]\nphase={{{}}}", both)),
+            ::testing::MatchesRegex("folder/a.toml:3: .phase. has both 'g' and '.*'; keep one of them"));
+    }
+    EXPECT_THAT(errorOf("[haze]\nphase={g=1}"),
+                HasSubstr("'g' in [phase] is 1, which must be -0.99 to 0.99"));
+    EXPECT_THAT(errorOf("[haze]\nphase={g=nan}"), HasSubstr("'g' in [phase] is nan"));
+}
+
+TEST(Show, hazeThatRolls) {
+    const render::Haze plain = parse("").haze;
+    EXPECT_EQ(plain.noise.turbulence, 1.0f);
+    EXPECT_EQ(plain.noise.seed, 1u);
+    EXPECT_FALSE(plain.deltaEddington);
+    const render::Haze haze = parse("[haze]\nturbulence=2.5\nseed=2147483647\ndelta_eddington=true").haze;
+    EXPECT_EQ(haze.noise.turbulence, 2.5f);
+    EXPECT_EQ(haze.noise.seed, 2147483647u);
+    EXPECT_TRUE(haze.deltaEddington);
+    EXPECT_THAT(errorOf("[haze]\nseed=2147483648"), HasSubstr("must be 0 to 2147483647"));
+    EXPECT_THAT(errorOf("[haze]\nseed=-1"), HasSubstr("must be 0 to 2147483647"));
+    EXPECT_THAT(errorOf("[haze]\nseed=1.5"), HasSubstr("must be a whole number"));
+    EXPECT_THAT(errorOf("[haze]\nturbulence=4.1"), HasSubstr("must be 0 to 4"));
+    EXPECT_THAT(errorOf("[haze]\ndelta_eddington=1"), HasSubstr("must be true or false"));
+}
+
+TEST(Show, hazeAsThickAsItGets) {
+    const render::Haze haze = parse("[haze]\nextinction=10\nscattering=10").haze;
+    EXPECT_EQ(haze.extinctionPerM, 10.0f);
+    EXPECT_EQ(haze.scatteringPerM, 10.0f);
+    EXPECT_THAT(errorOf("[haze]\nscattering=10.1"), HasSubstr("must be 0 to 10"));
+}
+
+TEST(Show, albedoIsTheColorOfASurface) {
+    const auto albedoOf = [](const std::string& key) {
+        return parse("[[object]]\ntype='box'\n" + key).objects.at(0).material.albedo;
+    };
+    EXPECT_EQ(albedoOf("albedo=[0.1,0.2,0.3]"), albedoOf("color=[0.1,0.2,0.3]"));
+    EXPECT_NEAR(albedoOf("albedo=[0.2,0.2,0.2]").g, 0.2f, 1e-6f);
+    EXPECT_THAT(errorOf("[[object]]\ntype='box'\nalbedo=[0,0,0]\ncolor=[0,0,0]"),
+                StartsWith("folder/a.toml:4: [[object]] has both 'albedo' and 'color'; keep one of them"));
+    EXPECT_THAT(errorOf("[[object]]\ntype='box'\nalbedo=[0,0,1.1]"), HasSubstr("'albedo' in [[object]]"));
 }
 
 TEST(Show, namesTheNearestKey) {
