@@ -97,6 +97,15 @@ Json describeSlots(const fixtures::Fixture& fixture) {
     return slots;
 }
 
+Json describeLight(const ShowLight& light) {
+    const bool isFlux = light.beam.fluxLm > 0.0;
+    return {{"name", light.name},
+            {"position_m", jsonOf(light.beam.lensPositionM)},
+            {"direction", jsonOf(-light.beam.worldFromBeam[2])},
+            {isFlux ? "lumen" : "candela", isFlux ? light.beam.fluxLm : light.beam.intensityCd},
+            {"half_angle_deg", glm::degrees(0.5 * light.beam.fieldAngleRad)}};
+}
+
 }  // namespace
 
 Json describeFixtureType(const fixtures::FixtureType& type) {
@@ -123,7 +132,9 @@ Json describeShow(const Show& show, const Patch& patch) {
                             {"slots", describeSlots(patched.fixture)}});
         ++written;
     }
-    return {{"fixtures", std::move(fixtures)}};
+    Json lights = Json::array();
+    for (const ShowLight& light : show.lights) lights.push_back(describeLight(light));
+    return {{"fixtures", std::move(fixtures)}, {"lights", std::move(lights)}};
 }
 
 std::string summarizeFixtureType(const fixtures::FixtureType& type) {
@@ -144,8 +155,9 @@ std::string summarizeFixtureType(const fixtures::FixtureType& type) {
 }
 
 std::string summarizeShow(const Show& show, const Patch& patch) {
-    std::string text = fmt::format("{}: {} fixtures, {} objects, {} cameras\n", show.title,
-                                   show.fixtures.size(), show.objects.size(), show.cameras.size());
+    std::string text =
+        fmt::format("{}: {} fixtures, {} bare lights, {} objects, {} cameras\n", show.title,
+                    show.fixtures.size(), show.lights.size(), show.objects.size(), show.cameras.size());
     const auto out = std::back_inserter(text);
     for (const PatchedFixture& patched : patch.fixtures()) {
         const fixtures::Fixture& fixture = patched.fixture;
@@ -153,6 +165,11 @@ std::string summarizeShow(const Show& show, const Patch& patch) {
                        patched.universe.number, fixture.address(),
                        fixture.address() + fixture.mode().footprint - 1, fixture.type().name,
                        fixture.mode().name);
+    }
+    for (const ShowLight& light : show.lights) {
+        fmt::format_to(out, "  {:<20} {} {}, half angle {:g} degrees\n", light.name,
+                       light.beam.fluxLm > 0.0 ? light.beam.fluxLm : light.beam.intensityCd,
+                       light.beam.fluxLm > 0.0 ? "lm" : "cd", glm::degrees(0.5 * light.beam.fieldAngleRad));
     }
     return text;
 }

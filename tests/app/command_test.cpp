@@ -139,6 +139,22 @@ TEST(Inspect, showAsJson) {
     EXPECT_GE(fixture["slots"]["Dimmer"][0], 1);
 }
 
+TEST(Inspect, bareLights) {
+    const test::TemporaryFolder folder;
+    const std::string lamp = "[[light]]\nname='key'\nposition=[0,0,6]\ndirection=[0,3,0]\nhalf_angle=12\n";
+    const std::string file = folder.write("a.toml", lamp + "candela=20000\n").string();
+    const test::ProcessResult asJson = hazer({"inspect", file, "--json"});
+    ASSERT_EQ(asJson.exitCode, 0) << asJson.errors;
+    const nlohmann::json light = nlohmann::json::parse(asJson.output)["lights"][0];
+    EXPECT_EQ(light["name"], "key");
+    EXPECT_EQ(light["candela"], 20000.0);
+    EXPECT_NEAR(light["direction"][1].get<double>(), 1.0, 1e-12);
+    EXPECT_NEAR(light["half_angle_deg"].get<double>(), 12.0, 1e-12);
+    EXPECT_THAT(hazer({"inspect", file}).output, HasSubstr("20000 cd, half angle 12 degrees"));
+    folder.write("a.toml", lamp + "lumen=900\n");
+    EXPECT_THAT(hazer({"inspect", file}).output, HasSubstr("900 lm, half angle 12 degrees"));
+}
+
 TEST(Inspect, libraryFixtureAsJson) {
     const test::ProcessResult result = hazer({"inspect", "moving-spot", "--json"});
     ASSERT_EQ(result.exitCode, 0) << result.errors;
