@@ -17,11 +17,12 @@ namespace hazer::app {
 nlohmann::ordered_json describeFixtureType(const fixtures::FixtureType& type);
 
 /// {"fixtures": [{"name", "gdtf", "mode", "protocol", "universe", "slots": {attribute: [slots from 1, most
-/// significant first]}}]}. Where several channels have one attribute, its key is "geometry.attribute" from
-/// the second on.
+/// significant first]}}], "lights": [{"name", "position_m", "direction", "candela" or "lumen",
+/// "half_angle_deg"}]}. Where several channels have one attribute, its key is "geometry.attribute" from the
+/// second on.
 nlohmann::ordered_json describeShow(const Show& show, const Patch& patch);
 
-/// The same for people: a title, then a line for each mode and wheel, or each fixture.
+/// The same for people: a title, then a line for each mode and wheel, or each fixture and bare light.
 std::string summarizeFixtureType(const fixtures::FixtureType& type);
 std::string summarizeShow(const Show& show, const Patch& patch);
 
