@@ -11,6 +11,7 @@
 
 #include "app/assignment.h"
 #include "app/commands/command.h"
+#include "app/commands/size_option.h"
 #include "app/film.h"
 #include "app/interrupt.h"
 #include "app/picture_file.h"
@@ -25,7 +26,7 @@ struct RenderOptions {
     std::string show;
     std::string out = "hazer.png";
     std::vector<std::string> assignments;
-    std::string size = "1280x720";
+    Size size;
     std::string camera;
     double listenS = 0.0;
     std::optional<std::uint16_t> port;
@@ -38,28 +39,6 @@ struct RenderOptions {
     double framesPerS = 25.0;
 };
 
-struct Size {
-    int width;
-    int height;
-};
-
-std::optional<Size> parseSize(const std::string& text) {
-    const std::size_t cross = text.find('x');
-    Size size{};
-    if (cross == std::string::npos || !CLI::detail::lexical_cast(text.substr(0, cross), size.width) ||
-        !CLI::detail::lexical_cast(text.substr(cross + 1), size.height)) {
-        return std::nullopt;
-    }
-    const auto fits = [](int edge) { return edge >= 1 && edge <= 8192; };
-    return fits(size.width) && fits(size.height) ? std::optional(size) : std::nullopt;
-}
-
-std::string checkSize(const std::string& text) {
-    return parseSize(text)
-               ? std::string()
-               : fmt::format("'{}' must read WIDTHxHEIGHT, each 1 to 8192, such as 1280x720", text);
-}
-
 std::string checkOut(const std::string& text) {
     try {
         outputKind(text);
@@ -70,10 +49,9 @@ std::string checkOut(const std::string& text) {
 }
 
 void applySettings(const RenderOptions& options, Session& session) {
-    const Size size = *parseSize(options.size);
     render::Settings& settings = session.settings();
-    settings.width = size.width;
-    settings.height = size.height;
+    settings.width = options.size.width;
+    settings.height = options.size.height;
     settings.exposureEv100 = options.ev100.value_or(settings.exposureEv100);
     settings.integrator =
         options.integrator == "uniform" ? render::Integrator::kUniform : render::Integrator::kAngle;
@@ -173,8 +151,7 @@ int runRender(RenderOptions options) {
 void addPictureOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("--out", options.out, "File: .png, .exr (cd/m2) or .mp4; hazer.png unless given")
         ->check(checkOut);
-    command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels; 1280x720 unless given")
-        ->check(checkSize);
+    addSizeOption(command, options.size);
     command.add_option("--camera", options.camera, "Name of a camera of the show; its first unless given");
     command.add_option("--ev", options.ev100, "Exposure as EV100, -20..40; the show's unless given")
         ->check(numberFrom(-20.0, 40.0));
