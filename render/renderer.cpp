@@ -21,6 +21,7 @@
 #include "render/passes/surface_pass.h"
 #include "render/passes/tone_map_pass.h"
 #include "render/scene_plan.h"
+#include "render/web_store.h"
 
 namespace hazer::render {
 namespace {
@@ -73,6 +74,7 @@ struct Renderer::Impl {
 
     MeshStore meshes;
     GoboStore gobos;
+    WebStore webs;
     SurfacePass surfaces;
     ShadowPass shadows;
     AmbientPass ambient;
@@ -144,11 +146,15 @@ GoboId Renderer::addGobo(const std::uint8_t* rgba, int width, int height) {
     return impl_->gobos.add(rgba, width, height);
 }
 
+WebId Renderer::addWeb(const IesWeb& web) {
+    return impl_->webs.add(web);
+}
+
 void Renderer::render(const Scene& scene, const Camera& camera, const Settings& settings) {
     Impl& r = *impl_;
     r.resize(settings.width, settings.height);
     r.exposureEv100 = settings.exposureEv100;
-    const ScenePlan plan = planScene(scene, settings, r.meshes.bounds());
+    const ScenePlan plan = planScene(scene, settings, r.meshes.bounds(), r.webs.webs());
     r.hasBloom = plan.bloom;
     r.timer.beginFrame();
 

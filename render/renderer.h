@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "render/ies_web.h"
 #include "render/image.h"
 #include "render/mesh.h"
 #include "render/scene.h"
@@ -33,6 +34,9 @@ class Renderer {
     /// the picture is the field of the beam. Pictures of any size; they are resampled to 512 x 512.
     GoboId addGobo(const std::uint8_t* rgba, int width, int height);
 
+    /// Takes a photometric web, for beams that have it as their `web`.
+    WebId addWeb(const IesWeb& web);
+
     /// Draws a frame into the renderer's own targets.
     void render(const Scene& scene, const Camera& camera, const Settings& settings);
 
@@ -47,6 +51,14 @@ class Renderer {
 
     /// How long each pass of a recent frame took; empty until a frame's timers have come back.
     std::vector<PassTime> passTimes() const;
+
+    /// The same of the last frame; waits until it has been drawn.
+    std::vector<PassTime> lastPassTimes() const;
+
+    /// A mesh as it was added, and what a gobo lets through (kGoboSize^2 RGBA bytes, linear, row 0 on top):
+    /// for whoever checks the pictures.
+    Mesh readMesh(MeshId mesh) const;
+    const std::vector<std::uint8_t>& readGobo(GoboId gobo) const;
 
  private:
     struct Impl;

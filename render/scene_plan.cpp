@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <map>
 #include <utility>
 
@@ -24,6 +25,13 @@ std::vector<LightFeatures> variantsWithout(LightFeatures never) {
         if ((features & never) == 0) variants.push_back(features);
     }
     return variants;
+}
+
+BeamShape shapeOf(const Beam& beam, std::span<const IesWeb> webs) {
+    if (beam.web < 0) return beamShape(beam);
+    const auto web = static_cast<std::size_t>(beam.web);
+    assert(web < webs.size());
+    return webShape(beam, webs[web]);
 }
 
 /// What a beam needs on a surface.
@@ -71,13 +79,13 @@ std::vector<LightFeatures> allSurfaceVariants() {
     return variantsWithout(kAirOnly);
 }
 
-ScenePlan planScene(const Scene& scene, const Settings& settings,
-                    std::span<const BoundingSphere> meshBounds) {
+ScenePlan planScene(const Scene& scene, const Settings& settings, std::span<const BoundingSphere> meshBounds,
+                    std::span<const IesWeb> webs) {
     ScenePlan plan;
     std::vector<int> lit;
     for (std::size_t i = 0; i < scene.beams.size(); ++i) {
         const Beam& beam = scene.beams[i];
-        plan.shapes.push_back(beamShape(beam));
+        plan.shapes.push_back(shapeOf(beam, webs));
         const float brightest = std::max({beam.color.r, beam.color.g, beam.color.b});
         if (plan.shapes.back().peakCd > 0.0 && brightest > 0.0f) lit.push_back(static_cast<int>(i));
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/gpu_beam.h"
+#include "render/ies_web.h"
 #include "render/mesh.h"
 #include "render/scene.h"
 #include "render/shadow_plan.h"
@@ -47,7 +48,8 @@ struct ScenePlan {
     int shadowMapSize = 0;                  ///< Texels along an edge; 0: none.
 };
 
-/// `meshBounds[i]` is the bounding sphere of MeshId i in its own space.
-ScenePlan planScene(const Scene& scene, const Settings& settings, std::span<const BoundingSphere> meshBounds);
+/// `meshBounds[i]` is the bounding sphere of MeshId i in its own space, `webs[i]` what WebId i stands for.
+ScenePlan planScene(const Scene& scene, const Settings& settings, std::span<const BoundingSphere> meshBounds,
+                    std::span<const IesWeb> webs = {});
 
 }  // namespace hazer::render

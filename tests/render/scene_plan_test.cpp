@@ -53,6 +53,21 @@ TEST(ScenePlan, AFullSceneHasEverything) {
               render::kFeatureGobo | render::kFeatureShadow | render::kFeatureNoise);
 }
 
+TEST(ScenePlan, AWebGivesTheBeamItsShape) {
+    render::IesTable table;
+    table.verticalDeg = {0.0, 40.0};
+    table.horizontalDeg = {0.0};
+    table.candela = {700.0, 700.0};
+    const std::array<render::IesWeb, 1> webs{render::makeIesWeb(table)};
+    Scene scene = sceneWithBall({0.0, 0.0, 2.0});
+    scene.beams.front().fluxLm = 0.0;
+    scene.beams.front().web = 0;
+    const ScenePlan p = render::planScene(scene, {}, kUnitSphere, webs);
+    EXPECT_EQ(p.shapes.front().peakCd, 700.0);
+    EXPECT_NEAR(p.shapes.front().cutHalfAngleRad, 40.0 * 3.14159265 / 180.0, 0.01);
+    EXPECT_EQ(p.airGroups.size(), 1u);
+}
+
 TEST(ScenePlan, NoHazeNoVolume) {
     Scene scene = sceneWithBall({0.0, 0.0, 2.0});
     scene.haze.scatteringPerM = 0.0f;
