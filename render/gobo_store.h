@@ -20,6 +20,11 @@ class GoboStore {
     /// See Renderer::addGobo.
     GoboId add(const std::uint8_t* rgba, int width, int height);
 
+    /// What goboTransmission() made of a gobo.
+    const std::vector<std::uint8_t>& texels(GoboId gobo) const {
+        return layers_[static_cast<std::size_t>(gobo)];
+    }
+
     /// A GL_TEXTURE_2D_ARRAY with mip levels; 0 while there are no gobos.
     GLuint texture();
 

@@ -8,6 +8,7 @@ MeshId MeshStore::add(const Mesh& mesh) {
     gpu.vertices = gl::makeBuffer();
     gpu.indices = gl::makeBuffer();
     gpu.indexCount = static_cast<GLsizei>(mesh.indices.size());
+    gpu.vertexCount = mesh.vertices.size();
     glBindVertexArray(gpu.vertexArray.id());
     glBindBuffer(GL_ARRAY_BUFFER, gpu.vertices.id());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(Vertex)),
@@ -25,6 +26,22 @@ MeshId MeshStore::add(const Mesh& mesh) {
     meshes_.push_back(std::move(gpu));
     bounds_.push_back(boundingSphere(mesh));
     return static_cast<MeshId>(meshes_.size()) - 1;
+}
+
+Mesh MeshStore::read(MeshId mesh) const {
+    const GpuMesh& gpu = meshes_[static_cast<std::size_t>(mesh)];
+    Mesh copy;
+    copy.vertices.resize(gpu.vertexCount);
+    copy.indices.resize(static_cast<std::size_t>(gpu.indexCount));
+    // The copy target, so that no vertex array's index buffer is replaced.
+    glBindBuffer(GL_COPY_READ_BUFFER, gpu.vertices.id());
+    glGetBufferSubData(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(copy.vertices.size() * sizeof(Vertex)),
+                       copy.vertices.data());
+    glBindBuffer(GL_COPY_READ_BUFFER, gpu.indices.id());
+    glGetBufferSubData(GL_COPY_READ_BUFFER, 0,
+                       static_cast<GLsizeiptr>(copy.indices.size() * sizeof(std::uint32_t)),
+                       copy.indices.data());
+    return copy;
 }
 
 void MeshStore::draw(MeshId mesh) const {

@@ -13,6 +13,9 @@ class MeshStore {
  public:
     MeshId add(const Mesh& mesh);
 
+    /// The mesh as it was added, fetched back from the GPU.
+    Mesh read(MeshId mesh) const;
+
     /// Draws with the program in use; vertex inputs 0 (position) and 1 (normal).
     void draw(MeshId mesh) const;
 
@@ -25,6 +28,7 @@ class MeshStore {
         gl::Buffer vertices;
         gl::Buffer indices;
         GLsizei indexCount = 0;
+        std::size_t vertexCount = 0;
     };
     std::vector<GpuMesh> meshes_;
     std::vector<BoundingSphere> bounds_;

@@ -46,6 +46,12 @@ std::size_t flippedRow(int y, int height, int width) {
     return 3 * static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width);
 }
 
+std::vector<PassTime> named(const std::vector<std::pair<std::string, double>>& passes) {
+    std::vector<PassTime> times;
+    for (const auto& [name, milliseconds] : passes) times.push_back({name, milliseconds});
+    return times;
+}
+
 }  // namespace
 
 struct Renderer::Impl {
@@ -219,9 +225,19 @@ void Renderer::present(unsigned framebuffer, int width, int height) {
 }
 
 std::vector<PassTime> Renderer::passTimes() const {
-    std::vector<PassTime> times;
-    for (const auto& [name, milliseconds] : impl_->timer.latest()) times.push_back({name, milliseconds});
-    return times;
+    return named(impl_->timer.latest());
+}
+
+std::vector<PassTime> Renderer::lastPassTimes() const {
+    return named(impl_->timer.last());
+}
+
+Mesh Renderer::readMesh(MeshId mesh) const {
+    return impl_->meshes.read(mesh);
+}
+
+const std::vector<std::uint8_t>& Renderer::readGobo(GoboId gobo) const {
+    return impl_->gobos.texels(gobo);
 }
 
 }  // namespace hazer::render

@@ -53,12 +53,21 @@ void PassTimer::collect(const Frame& frame) {
     GLint ready = GL_FALSE;
     glGetQueryObjectiv(frame.queries[frame.names.size() - 1].id(), GL_QUERY_RESULT_AVAILABLE, &ready);
     if (ready != GL_TRUE) return;
-    latest_.clear();
+    latest_ = timesOf(frame);
+}
+
+std::vector<std::pair<std::string, double>> PassTimer::timesOf(const Frame& frame) {
+    std::vector<std::pair<std::string, double>> times;
     for (std::size_t i = 0; i < frame.names.size(); ++i) {
         GLuint64 nanoseconds = 0;
         glGetQueryObjectui64v(frame.queries[i].id(), GL_QUERY_RESULT, &nanoseconds);
-        latest_.emplace_back(frame.names[i], static_cast<double>(nanoseconds) * 1e-6);
+        times.emplace_back(frame.names[i], static_cast<double>(nanoseconds) * 1e-6);
     }
+    return times;
+}
+
+std::vector<std::pair<std::string, double>> PassTimer::last() const {
+    return software_ ? running_ : timesOf(frames_[current_]);
 }
 
 }  // namespace hazer::render::gl

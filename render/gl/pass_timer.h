@@ -25,12 +25,16 @@ class PassTimer {
     /// Name and milliseconds of the passes of the newest frame that is known.
     const std::vector<std::pair<std::string, double>>& latest() const { return latest_; }
 
+    /// The same of the frame that was ended last; waits for it.
+    std::vector<std::pair<std::string, double>> last() const;
+
  private:
     struct Frame {
         std::vector<Query> queries;
         std::vector<std::string> names;
     };
     void collect(const Frame& frame);
+    static std::vector<std::pair<std::string, double>> timesOf(const Frame& frame);
 
     static constexpr std::size_t kFramesInFlight = 3;
     bool software_ = false;
