@@ -11,7 +11,7 @@
 #include "render/gl/texture.h"
 #include "render/gobo_store.h"
 #include "render/mesh_store.h"
-#include "render/passes/air_pass.h"
+#include "render/passes/air_grid.h"
 #include "render/passes/ambient_pass.h"
 #include "render/passes/antialias_pass.h"
 #include "render/passes/bloom_pass.h"
@@ -46,6 +46,12 @@ std::size_t flippedRow(int y, int height, int width) {
     return 3 * static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width);
 }
 
+/// The thesis' integrator and a given number of samples are drawn as they are, for comparison.
+int airStep(const Settings& settings) {
+    if (settings.integrator == Integrator::kUniform || settings.samples > 0) return 1;
+    return settings.airStep > 0 ? settings.airStep : 1;
+}
+
 std::vector<PassTime> named(const std::vector<std::pair<std::string, double>>& passes) {
     std::vector<PassTime> times;
     for (const auto& [name, milliseconds] : passes) times.push_back({name, milliseconds});
@@ -60,6 +66,7 @@ struct Renderer::Impl {
           shadows(shaderFolder),
           ambient(shaderFolder),
           air(shaderFolder),
+          airGrid(shaderFolder),
           litSurfaces(shaderFolder),
           lenses(shaderFolder),
           bloom(shaderFolder),
@@ -67,6 +74,7 @@ struct Renderer::Impl {
           antialias(shaderFolder) {}
 
     void resize(int newWidth, int newHeight);
+    void drawAir(const LightInputs& in);
     void drawToneMap();
     void drawAntialias();
 
@@ -85,6 +93,7 @@ struct Renderer::Impl {
     ShadowPass shadows;
     AmbientPass ambient;
     AirPass air;
+    AirGrid airGrid;
     LitSurfacePass litSurfaces;
     LensPass lenses;
     BloomPass bloom;
@@ -123,6 +132,16 @@ void Renderer::Impl::resize(int newWidth, int newHeight) {
     toneMapTarget = gl::makeFramebufferFor({toneMapped.id()});
     display = gl::makeTexture2d(GL_RGBA8, width, height, GL_LINEAR);
     displayTarget = gl::makeFramebufferFor({display.id()});
+}
+
+void Renderer::Impl::drawAir(const LightInputs& in) {
+    const int step = airStep(in.settings);
+    if (step > 1) {
+        airGrid.draw(air, in, radiance.id(), step);
+        glBindFramebuffer(GL_FRAMEBUFFER, radianceTarget.id());
+    } else {
+        air.draw(in);
+    }
 }
 
 void Renderer::Impl::drawToneMap() {
@@ -173,7 +192,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     const LightInputs lights{scene,      camera, settings,          plan,
                              r.surfaces, beams,  r.gobos.texture(), r.shadows.texture()};
     if (!plan.surfaceGroups.empty()) r.pass("lit surfaces", [&] { r.litSurfaces.draw(lights); });
-    if (!plan.airGroups.empty()) r.pass("beams", [&] { r.air.draw(lights); });
+    if (!plan.airGroups.empty()) r.pass("beams", [&] { r.drawAir(lights); });
     if (!plan.lenses.empty()) r.pass("lenses", [&] { r.lenses.draw(lights); });
     if (plan.bloom) r.pass("bloom", [&] { r.bloom.draw(r.radiance.id()); });
     r.pass("tone map", [&] { r.drawToneMap(); });

@@ -48,7 +48,7 @@ vec3 transmissionAt(LampSample here) {
 #include "include/beam_integral.glsl"
 
 void main() {
-    float endM = texelFetch(geometryBuffer, ivec2(gl_FragCoord.xy), 0).z;
+    float endM = pixelGeometry().z;
     HazeMedium haze = HazeMedium(extinctionPerM, scatteringPerM, phaseLobes.x, phaseLobes.y, phaseLobes.z);
 #ifdef UNIFORM
     vec3 relative = beamInAirUniform(pixelRay(), beamOptics(), haze, min(endM, uniformRangeM), uniformSamples);

@@ -66,6 +66,11 @@ void AirPass::setNoise(const gl::Program& program, const LightInputs& in) {
     program.set("noiseAmount", noise.amount);
 }
 
+void AirPass::drawHulls(const LightInputs& in) {
+    batch_.upload(in.plan.airGroups, in.beams);
+    for (std::size_t i = 0; i < in.plan.airGroups.size(); ++i) batch_.drawHulls(i);
+}
+
 void AirPass::draw(const LightInputs& in) {
     batch_.upload(in.plan.airGroups, in.beams);
     for (std::size_t i = 0; i < in.plan.airGroups.size(); ++i) {

@@ -15,6 +15,9 @@ class AirPass {
     /// Adds the plan's air groups to the bound framebuffer.
     void draw(const LightInputs& in);
 
+    /// Draws the hulls of all air groups with the current program.
+    void drawHulls(const LightInputs& in);
+
  private:
     const gl::Program& variant(LightFeatures features);
     void setHaze(const gl::Program& program, const LightInputs& in, LightFeatures features);

@@ -61,9 +61,30 @@ std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const 
     return packed;
 }
 
+glm::ivec2 nodeCount(const Settings& settings, int step) {
+    return {(settings.width - 1) / step + 2, (settings.height - 1) / step + 2};
+}
+
+/// Moves the centre of every step-th pixel of the picture to the centre of a node's pixel.
+glm::dmat4 nodesFromClip(const Settings& settings, int step) {
+    if (step == 1) return glm::dmat4(1.0);
+    const glm::dvec2 nodes(nodeCount(settings, step));
+    const glm::dvec2 scale =
+        glm::dvec2(settings.width, settings.height) / (static_cast<double>(step) * nodes);
+    const glm::dvec2 shift = scale - 1.0 + (1.0 - 1.0 / step) / nodes;
+    glm::dmat4 matrix(1.0);
+    matrix[0][0] = scale.x;
+    matrix[1][1] = scale.y;
+    matrix[3][0] = shift.x;
+    matrix[3][1] = shift.y;
+    return matrix;
+}
+
 void setLightUniforms(const gl::Program& program, const LightInputs& in) {
     const double aspect = static_cast<double>(in.settings.width) / in.settings.height;
-    program.set("clipFromView", glm::mat4(clipFromView(in.camera, aspect)));
+    program.set("clipFromView",
+                glm::mat4(nodesFromClip(in.settings, in.pixelStep) * clipFromView(in.camera, aspect)));
+    program.set("pixelStep", static_cast<float>(in.pixelStep));
     program.set("viewportPx", glm::vec2(in.settings.width, in.settings.height));
     program.set("viewTangent", glm::vec2(viewTangent(in.camera, aspect)));
     program.set("beamRangeM", kBeamRangeM);

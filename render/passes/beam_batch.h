@@ -22,10 +22,15 @@ struct LightInputs {
     const std::vector<GpuBeam>& beams;  ///< One per beam of the scene, see packBeams.
     GLuint gobos = 0;
     GLuint shadowMaps = 0;
+    int pixelStep = 1;  ///< Draws only every so many pixels, into a target of nodeCount().
 };
 
+/// How many nodes of a grid cover the picture, `step` pixels apart: the first at its corner pixel, the last
+/// at or beyond the opposite one.
+glm::ivec2 nodeCount(const Settings& settings, int step);
+
 /// Texture units of the shaders that draw beams.
-enum LightTextureUnit : int { kGeometryUnit, kMaterialUnit, kGoboUnit, kShadowUnit, kNoiseUnit };
+enum LightTextureUnit : int { kGeometryUnit, kMaterialUnit, kGoboUnit, kShadowUnit, kNoiseUnit, kNodeUnit };
 
 /// Every beam of the scene as seen by the camera.
 std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const Camera& camera);

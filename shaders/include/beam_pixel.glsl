@@ -13,6 +13,7 @@ flat in vec4 lens;
 uniform sampler2D geometryBuffer;
 uniform vec2 viewportPx;
 uniform vec2 viewTangent;  // tangents of half the field of view
+uniform float pixelStep;   // only every so many pixels are drawn
 
 const vec3 AXIS = vec3(0.0, 0.0, -1.0);
 
@@ -20,7 +21,12 @@ vec3 toLamp(vec3 v) { return vec3(dot(row0.xyz, v), dot(row1.xyz, v), dot(row2.x
 
 float pixelAngle() { return 2.0 * viewTangent.y / viewportPx.y; }
 
-vec3 viewDirection() { return normalize(vec3((2.0 * gl_FragCoord.xy / viewportPx - 1.0) * viewTangent, -1.0)); }
+// The centre of the pixel of the whole picture that is drawn here [px].
+vec2 pixelCenter() { return (gl_FragCoord.xy - 0.5) * pixelStep + 0.5; }
+
+vec4 pixelGeometry() { return texelFetch(geometryBuffer, min(ivec2(pixelCenter()), textureSize(geometryBuffer, 0) - 1), 0); }
+
+vec3 viewDirection() { return normalize(vec3((2.0 * pixelCenter() / viewportPx - 1.0) * viewTangent, -1.0)); }
 
 LampRay pixelRay() { return lampRay(vec3(row0.w, row1.w, row2.w), toLamp(viewDirection()), AXIS); }
 

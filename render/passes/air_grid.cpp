@@ -1,0 +1,96 @@
+#include "render/passes/air_grid.h"
+
+#include <array>
+
+#include "render/gl/texture.h"
+
+namespace hazer::render {
+namespace {
+
+/// Allowed error of a pixel between nodes, relative to the light around it.
+constexpr float kTolerance = 0.01f;
+
+}  // namespace
+
+AirGrid::AirGrid(const std::filesystem::path& shaderFolder)
+    : judge_(shaderFolder, "fullscreen.vert", "air_nodes.frag"),
+      interpolate_(shaderFolder, "beam.vert", "air_between.frag") {}
+
+void AirGrid::allocate(const Settings& settings, GLuint radiance, int step) {
+    if (settings.width == width_ && settings.height == height_ && radiance == radiance_ && step == step_)
+        return;
+    width_ = settings.width;
+    height_ = settings.height;
+    radiance_ = radiance;
+    step_ = step;
+    const glm::ivec2 count = nodeCount(settings, step);
+    nodes_ = gl::makeTexture2d(GL_RGBA32F, count.x, count.y, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1000);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    judged_ = gl::makeTexture2d(GL_RGBA32F, count.x, count.y, GL_NEAREST);
+    done_ = gl::makeTexture2d(GL_DEPTH_COMPONENT32F, width_, height_, GL_NEAREST);
+    nodeTarget_ = gl::makeFramebufferFor({nodes_.id()});
+    judgeTarget_ = gl::makeFramebufferFor({judged_.id()});
+    pictureTarget_ = gl::makeFramebufferFor({radiance}, done_.id());
+}
+
+void AirGrid::drawNodes(AirPass& air, LightInputs in, int step) {
+    static constexpr std::array<float, 4> kDark{};
+    glBindFramebuffer(GL_FRAMEBUFFER, nodeTarget_.id());
+    glClearBufferfv(GL_COLOR, 0, kDark.data());
+    in.pixelStep = step;
+    air.draw(in);
+}
+
+void AirGrid::judge(const LightInputs& in, int step) {
+    glBindFramebuffer(GL_FRAMEBUFFER, judgeTarget_.id());
+    judge_.use();
+    gl::bindTexture(0, GL_TEXTURE_2D, nodes_.id());
+    glGenerateMipmap(GL_TEXTURE_2D);
+    gl::bindTexture(1, GL_TEXTURE_2D, in.surfaces.geometry());
+    judge_.set("nodes", 0);
+    judge_.set("geometryBuffer", 1);
+    judge_.set("nodeStep", step);
+    judge_.set("tolerance", kTolerance);
+    glBindVertexArray(noVertices_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void AirGrid::interpolate(AirPass& air, const LightInputs& in, int step) {
+    static constexpr float kToDo = 1.0f;
+    glBindFramebuffer(GL_FRAMEBUFFER, pictureTarget_.id());
+    glViewport(0, 0, width_, height_);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glClearBufferfv(GL_DEPTH, 0, &kToDo);
+    // Every fragment has one depth, whatever its shape: the depth buffer is a mask here. Where beams overlap,
+    // the first one's hull does it for all.
+    glDepthRange(0.0, 0.0);
+    interpolate_.use();
+    setLightUniforms(interpolate_, in);
+    gl::bindTexture(kNodeUnit, GL_TEXTURE_2D, judged_.id());
+    interpolate_.set("judgedNodes", kNodeUnit);
+    interpolate_.set("nodeStep", step);
+    air.drawHulls(in);
+}
+
+void AirGrid::refine(AirPass& air, const LightInputs& in) {
+    glDepthMask(GL_FALSE);
+    glDepthRange(0.5, 0.5);
+    air.draw(in);
+    glDepthRange(0.0, 1.0);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void AirGrid::draw(AirPass& air, const LightInputs& in, GLuint radiance, int step) {
+    allocate(in.settings, radiance, step);
+    const glm::ivec2 count = nodeCount(in.settings, step);
+    glViewport(0, 0, count.x, count.y);
+    drawNodes(air, in, step);
+    judge(in, step);
+    interpolate(air, in, step);
+    refine(air, in);
+}
+
+}  // namespace hazer::render

@@ -1,0 +1,36 @@
+// Light in the air, which is mostly smooth: integrated on a coarse grid, interpolated where that is good
+// enough, and integrated pixel by pixel where it is not (edges of beams, shadows and bodies).
+#pragma once
+
+#include <filesystem>
+
+#include "render/passes/air_pass.h"
+
+namespace hazer::render {
+
+class AirGrid {
+ public:
+    explicit AirGrid(const std::filesystem::path& shaderFolder);
+
+    /// Adds the plan's light in the air to `radiance`, a texture of the picture's size. `in.pixelStep` is not
+    /// looked at; `step` >= 2 is the distance of the grid's nodes in pixels.
+    void draw(AirPass& air, const LightInputs& in, GLuint radiance, int step);
+
+ private:
+    void allocate(const Settings& settings, GLuint radiance, int step);
+    void drawNodes(AirPass& air, LightInputs in, int step);
+    void judge(const LightInputs& in, int step);
+    void interpolate(AirPass& air, const LightInputs& in, int step);
+    void refine(AirPass& air, const LightInputs& in);
+
+    gl::Program judge_;
+    gl::Program interpolate_;
+    gl::VertexArray noVertices_ = gl::makeVertexArray();
+    gl::Texture nodes_, judged_;
+    gl::Texture done_;  ///< Depth: 0 where a pixel has its light, 1 where it needs the integral.
+    gl::Framebuffer nodeTarget_, judgeTarget_, pictureTarget_;
+    GLuint radiance_ = 0;
+    int width_ = 0, height_ = 0, step_ = 0;
+};
+
+}  // namespace hazer::render
