@@ -50,6 +50,7 @@ int main(int argumentCount, char** arguments) {
     addLiveCommand(program, chosen);
     addDemoCommand(program, chosen);
     addRenderCommand(program, chosen);
+    addReportCommand(program, chosen);
     addSendCommand(program, chosen);
     addInspectCommand(program, chosen);
     try {

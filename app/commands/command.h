@@ -24,6 +24,7 @@ using Command = std::function<int()>;
 void addLiveCommand(CLI::App& program, Command& chosen);
 void addDemoCommand(CLI::App& program, Command& chosen);
 void addRenderCommand(CLI::App& program, Command& chosen);
+void addReportCommand(CLI::App& program, Command& chosen);
 void addSendCommand(CLI::App& program, Command& chosen);
 void addInspectCommand(CLI::App& program, Command& chosen);
 

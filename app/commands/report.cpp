@@ -1,0 +1,25 @@
+// hazer report: what the pictures are worth and what they cost, measured on the user's own machine.
+#include "app/commands/report.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+namespace hazer::app {
+
+void addReportCommand(CLI::App& program, Command& chosen) {
+    CLI::App* command = program.add_subcommand("report", "Measure what pictures cost on this machine.");
+    beginHelpWith(*command, "  hazer report speed myshow.toml        how long each pass of a frame takes\n");
+    // One or none, as for the program itself: a mistyped report is then named.
+    command->require_subcommand(0, 1);
+    addSpeedReport(*command, chosen);
+    command->callback([command, &chosen] {
+        if (!command->get_subcommands().empty()) return;
+        chosen = [command] {
+            fmt::print(stderr, "{}", command->help("hazer"));
+            return kExitUsage;
+        };
+    });
+}
+
+}  // namespace hazer::app

@@ -1,0 +1,67 @@
+// hazer report as a person runs it: help, mistakes, and nothing of OpenGL.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/process.h"
+
+namespace hazer::app {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+test::ProcessResult report(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "report");
+    return test::runProcess(HAZER_PROGRAM, arguments);
+}
+
+TEST(Report, helpBeginsWithExamples) {
+    EXPECT_THAT(report({"--help"}).output, StartsWith("Examples:\n  hazer report "));
+    for (const std::string part : {"speed"}) {
+        const test::ProcessResult result = report({part, "--help"});
+        EXPECT_EQ(result.exitCode, 0);
+        EXPECT_THAT(result.output, StartsWith("Examples:\n  hazer report " + part));
+    }
+}
+
+TEST(Report, aloneItShowsItsHelp) {
+    const test::ProcessResult alone = report({});
+    EXPECT_EQ(alone.exitCode, 1);
+    EXPECT_EQ(alone.output, "");
+    EXPECT_THAT(alone.errors, StartsWith("Examples:\n  hazer report "));
+    EXPECT_THAT(alone.errors, HasSubstr("Usage: hazer report"));
+}
+
+TEST(Report, namesAMistypedReport) {
+    const test::ProcessResult result = report({"sped"});
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_THAT(result.errors, HasSubstr("sped"));
+}
+
+TEST(ReportSpeed, hostileOptions) {
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--frames", "0"},
+                                                      {"--frames", "nan"},
+                                                      {"--frames", "99999999999999999999"},
+                                                      {"--size", "0x0"},
+                                                      {"--size", "x"},
+                                                      {"--size", "8193x1"},
+                                                      {"--size", "-1x10"},
+                                                      {"--integrator", "magic"},
+                                                      {"a.toml", "b.toml"}}) {
+        std::vector<std::string> all = arguments;
+        all.insert(all.begin(), "speed");
+        const test::ProcessResult result = report(all);
+        EXPECT_EQ(result.exitCode, 1) << arguments.front() << ' ' << arguments.back();
+        EXPECT_EQ(result.output, "");
+        EXPECT_NE(result.errors, "");
+    }
+}
+
+TEST(ReportSpeed, aMissingShow) {
+    const test::ProcessResult result = report({"speed", "/nowhere/a.toml"});
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_THAT(result.errors, HasSubstr("/nowhere/a.toml"));
+}
+
+}  // namespace
+}  // namespace hazer::app
