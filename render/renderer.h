@@ -60,14 +60,6 @@ class Renderer {
     Mesh readMesh(MeshId mesh) const;
     const std::vector<std::uint8_t>& readGobo(GoboId gobo) const;
 
-    /// The same of the last frame; waits until it has been drawn.
-    std::vector<PassTime> lastPassTimes() const;
-
-    /// A mesh as it was added, and what a gobo lets through (kGoboSize^2 RGBA bytes, linear, row 0 on top):
-    /// for whoever checks the pictures.
-    Mesh readMesh(MeshId mesh) const;
-    const std::vector<std::uint8_t>& readGobo(GoboId gobo) const;
-
  private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
