@@ -33,6 +33,7 @@ GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera,
         gpu.lens.y = static_cast<float>(2.0 * tanShadow / shadowMapSize);
     }
     gpu.lens.x = static_cast<float>(beam.lensRadiusM);
+    gpu.lens.z = static_cast<float>(beam.web);
     return gpu;
 }
 

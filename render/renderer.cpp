@@ -140,7 +140,7 @@ void Renderer::Impl::drawAir(const LightInputs& in) {
         airGrid.draw(air, in, radiance.id(), step);
         glBindFramebuffer(GL_FRAMEBUFFER, radianceTarget.id());
     } else {
-        air.draw(in);
+        air.draw(in, in.plan.airGroups);
     }
 }
 

@@ -9,20 +9,25 @@
 namespace hazer::render {
 namespace {
 
-constexpr std::array<std::pair<LightFeatures, const char*>, 5> kFeatureNames{{{kFeatureFlat, "FLAT_PROFILE"},
+constexpr std::array<std::pair<LightFeatures, const char*>, 6> kFeatureNames{{{kFeatureFlat, "FLAT_PROFILE"},
                                                                               {kFeatureGobo, "GOBO"},
                                                                               {kFeatureShadow, "SHADOW"},
                                                                               {kFeatureNoise, "NOISE"},
-                                                                              {kFeatureUniform, "UNIFORM"}}};
+                                                                              {kFeatureUniform, "UNIFORM"},
+{kFeatureWeb, "WEB"}}};
 
 /// What only the light in the air knows.
 constexpr LightFeatures kAirOnly = kFeatureNoise | kFeatureUniform;
+
+bool canBe(LightFeatures features) {
+    return (features & kFeatureFlat) == 0 || (features & kFeatureWeb) == 0;
+}
 
 /// Every combination of features without those of `never`.
 std::vector<LightFeatures> variantsWithout(LightFeatures never) {
     std::vector<LightFeatures> variants;
     for (LightFeatures features = 0; features < (1u << kFeatureNames.size()); ++features) {
-        if ((features & never) == 0) variants.push_back(features);
+        if ((features & never) == 0 && canBe(features)) variants.push_back(features);
     }
     return variants;
 }
@@ -37,7 +42,11 @@ BeamShape shapeOf(const Beam& beam, std::span<const IesWeb> webs) {
 /// What a beam needs on a surface.
 LightFeatures featuresOf(const Beam& beam, const BeamShape& shape, bool hasShadow, const Settings& settings) {
     LightFeatures features = 0;
-    if (shape.exponent == 0.0) features |= kFeatureFlat;
+    if (beam.web >= 0) {
+        features |= kFeatureWeb;
+    } else if (shape.exponent == 0.0) {
+        features |= kFeatureFlat;
+    }
     if (beam.gobo >= 0 && settings.gobos) features |= kFeatureGobo;
     if (hasShadow) features |= kFeatureShadow;
     return features;

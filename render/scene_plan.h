@@ -21,6 +21,7 @@ enum LightFeature : std::uint32_t {
     kFeatureShadow = 1u << 2,   ///< A caster stands in the cone.
     kFeatureNoise = 1u << 3,    ///< The haze is uneven; in the air only.
     kFeatureUniform = 1u << 4,  ///< The thesis' integrator; in the air only.
+    kFeatureWeb = 1u << 5,      ///< A photometric web stands for the profile; never with kFeatureFlat.
 };
 using LightFeatures = std::uint32_t;
 

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "render/beam_width.h"
 #include "render/gl/texture.h"
 
 namespace hazer::render {
@@ -34,12 +35,29 @@ void AirGrid::allocate(const Settings& settings, GLuint radiance, int step) {
     pictureTarget_ = gl::makeFramebufferFor({radiance}, done_.id());
 }
 
+void AirGrid::splitBeams(const LightInputs& in, int step) {
+    wide_.clear();
+    thin_.clear();
+    const auto isThin = [&](int beam) {
+        const auto index = static_cast<std::size_t>(beam);
+        return isThinOnScreen(in.scene.beams[index], in.plan.shapes[index], in.camera, in.settings.height,
+                              step);
+    };
+    for (const BeamGroup& group : in.plan.airGroups) {
+        BeamGroup wide{group.features, {}};
+        BeamGroup thin{group.features, {}};
+        for (const int beam : group.beams) (isThin(beam) ? thin : wide).beams.push_back(beam);
+        if (!wide.beams.empty()) wide_.push_back(std::move(wide));
+        if (!thin.beams.empty()) thin_.push_back(std::move(thin));
+    }
+}
+
 void AirGrid::drawNodes(AirPass& air, LightInputs in, int step) {
     static constexpr std::array<float, 4> kDark{};
     glBindFramebuffer(GL_FRAMEBUFFER, nodeTarget_.id());
     glClearBufferfv(GL_COLOR, 0, kDark.data());
     in.pixelStep = step;
-    air.draw(in);
+    air.draw(in, wide_);
 }
 
 void AirGrid::judge(const LightInputs& in, int step) {
@@ -71,20 +89,22 @@ void AirGrid::interpolate(AirPass& air, const LightInputs& in, int step) {
     gl::bindTexture(kNodeUnit, GL_TEXTURE_2D, judged_.id());
     interpolate_.set("judgedNodes", kNodeUnit);
     interpolate_.set("nodeStep", step);
-    air.drawHulls(in);
+    air.drawHulls(in, wide_);
 }
 
 void AirGrid::refine(AirPass& air, const LightInputs& in) {
     glDepthMask(GL_FALSE);
     glDepthRange(0.5, 0.5);
-    air.draw(in);
+    air.draw(in, wide_);
     glDepthRange(0.0, 1.0);
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
+    air.draw(in, thin_);
 }
 
 void AirGrid::draw(AirPass& air, const LightInputs& in, GLuint radiance, int step) {
     allocate(in.settings, radiance, step);
+    splitBeams(in, step);
     const glm::ivec2 count = nodeCount(in.settings, step);
     glViewport(0, 0, count.x, count.y);
     drawNodes(air, in, step);

@@ -18,11 +18,14 @@ class AirGrid {
 
  private:
     void allocate(const Settings& settings, GLuint radiance, int step);
+    void splitBeams(const LightInputs& in, int step);
     void drawNodes(AirPass& air, LightInputs in, int step);
     void judge(const LightInputs& in, int step);
     void interpolate(AirPass& air, const LightInputs& in, int step);
     void refine(AirPass& air, const LightInputs& in);
 
+    std::vector<BeamGroup> wide_;  ///< Beams that the grid cannot miss.
+    std::vector<BeamGroup> thin_;  ///< The others; these are integrated at every pixel.
     gl::Program judge_;
     gl::Program interpolate_;
     gl::VertexArray noVertices_ = gl::makeVertexArray();

@@ -66,15 +66,15 @@ void AirPass::setNoise(const gl::Program& program, const LightInputs& in) {
     program.set("noiseAmount", noise.amount);
 }
 
-void AirPass::drawHulls(const LightInputs& in) {
-    batch_.upload(in.plan.airGroups, in.beams);
-    for (std::size_t i = 0; i < in.plan.airGroups.size(); ++i) batch_.drawHulls(i);
+void AirPass::drawHulls(const LightInputs& in, const std::vector<BeamGroup>& groups) {
+    batch_.upload(groups, in.beams);
+    for (std::size_t i = 0; i < groups.size(); ++i) batch_.drawHulls(i);
 }
 
-void AirPass::draw(const LightInputs& in) {
-    batch_.upload(in.plan.airGroups, in.beams);
-    for (std::size_t i = 0; i < in.plan.airGroups.size(); ++i) {
-        const LightFeatures features = in.plan.airGroups[i].features;
+void AirPass::draw(const LightInputs& in, const std::vector<BeamGroup>& groups) {
+    batch_.upload(groups, in.beams);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const LightFeatures features = groups[i].features;
         const gl::Program& program = variant(features);
         program.use();
         setLightUniforms(program, in);

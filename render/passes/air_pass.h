@@ -12,11 +12,11 @@ class AirPass {
  public:
     explicit AirPass(std::filesystem::path shaderFolder);
 
-    /// Adds the plan's air groups to the bound framebuffer.
-    void draw(const LightInputs& in);
+    /// Adds the beams of `groups`, of the plan's air groups or parts of them, to the bound framebuffer.
+    void draw(const LightInputs& in, const std::vector<BeamGroup>& groups);
 
-    /// Draws the hulls of all air groups with the current program.
-    void drawHulls(const LightInputs& in);
+    /// Draws the hulls of `groups` with the current program.
+    void drawHulls(const LightInputs& in, const std::vector<BeamGroup>& groups);
 
  private:
     const gl::Program& variant(LightFeatures features);

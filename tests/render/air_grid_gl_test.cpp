@@ -1,0 +1,113 @@
+// Light in the air on a coarse grid: as good as at every pixel, and nothing missed between the nodes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numeric>
+
+#include "render/mesh.h"
+#include "tests/support/gl_test.h"
+
+namespace hazer::test {
+namespace {
+
+using render::Beam;
+using render::Camera;
+using render::FloatImage;
+using render::Scene;
+
+constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
+// Odd sizes: the last node lies beyond the picture.
+constexpr int kWidth = 151;
+constexpr int kHeight = 101;
+
+Scene lampInHaze(double fieldDeg, double lensRadiusM) {
+    Scene scene;
+    Beam beam;
+    beam.lensPositionM = {0.0, 0.0, 6.0};
+    beam.lensRadiusM = lensRadiusM;
+    beam.showsLens = false;
+    beam.fieldAngleRad = fieldDeg * kRadPerDeg;
+    beam.beamAngleRad = 0.8 * beam.fieldAngleRad;
+    beam.fluxLm = 10000.0;
+    scene.beams.push_back(beam);
+    return scene;
+}
+
+/// rms of the difference over rms of the reference.
+double relativeError(const FloatImage& image, const FloatImage& reference) {
+    double error = 0.0, total = 0.0;
+    for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+        error += std::pow(image.rgb[i] - reference.rgb[i], 2.0);
+        total += std::pow(reference.rgb[i], 2.0);
+    }
+    EXPECT_GT(total, 0.0);
+    return std::sqrt(error / total);
+}
+
+double sum(const FloatImage& image) {
+    return std::accumulate(image.rgb.begin(), image.rgb.end(), 0.0);
+}
+
+class AirGridGl : public GlTest {
+ protected:
+    FloatImage drawWithStep(const Scene& scene, const Camera& camera, int step) {
+        render::Settings settings;
+        settings.airStep = step;
+        return draw(scene, camera, kWidth, kHeight, settings);
+    }
+
+    void expectNothingLost(const Scene& scene, const Camera& camera) {
+        const FloatImage reference = drawWithStep(scene, camera, 1);
+        for (const int step : {2, 3, 4}) {
+            SCOPED_TRACE(step);
+            const FloatImage coarse = drawWithStep(scene, camera, step);
+            EXPECT_LT(relativeError(coarse, reference), 0.01);
+            EXPECT_NEAR(sum(coarse) / sum(reference), 1.0, 0.005);
+        }
+    }
+};
+
+const Camera kSide{{8.0, -5.0, 2.0}, {0.0, 0.0, 3.0}, {0.0, 0.0, 1.0}, 50.0 * kRadPerDeg};
+
+TEST_F(AirGridGl, ABeamFromTheSide) {
+    expectNothingLost(lampInHaze(25.0, 0.08), kSide);
+}
+
+TEST_F(AirGridGl, BeamsThinnerThanTheGrid) {
+    expectNothingLost(lampInHaze(0.4, 0.01), kSide);
+    expectNothingLost(lampInHaze(4.0, 0.0), kSide);
+}
+
+TEST_F(AirGridGl, FromInsideTheBeam) {
+    expectNothingLost(lampInHaze(60.0, 0.08),
+                      {{0.2, 0.1, 2.0}, {3.0, 0.0, 2.5}, {0.0, 0.0, 1.0}, 70.0 * kRadPerDeg});
+}
+
+// A post narrower than the grid hides what is behind it all the same.
+TEST_F(AirGridGl, ABodyThinnerThanTheGridHidesTheBeam) {
+    Scene scene = lampInHaze(25.0, 0.08);
+    render::MeshInstance post;
+    post.mesh = renderer().addMesh(render::makeBox());
+    post.worldFromMesh = glm::translate(glm::dmat4(1.0), glm::dvec3(4.0, -2.6, 2.5)) *
+                         glm::scale(glm::dmat4(1.0), glm::dvec3(0.09, 0.09, 5.0));
+    post.castsShadow = false;
+    scene.instances.push_back(post);
+    scene.beams.front().castsShadow = false;
+    expectNothingLost(scene, kSide);
+}
+
+TEST_F(AirGridGl, TwoBeamsThatOverlap) {
+    Scene scene = lampInHaze(25.0, 0.08);
+    Beam second = scene.beams.front();
+    second.lensPositionM.x = -2.0;
+    second.worldFromBeam =
+        glm::dmat3(glm::rotate(glm::dmat4(1.0), -25.0 * kRadPerDeg, glm::dvec3(0.0, 1.0, 0.0)));
+    second.color = {0.2f, 1.3f, 0.4f};
+    scene.beams.push_back(second);
+    expectNothingLost(scene, kSide);
+}
+
+}  // namespace
+}  // namespace hazer::test
