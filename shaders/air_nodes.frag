@@ -50,5 +50,5 @@ void main() {
     float error = 0.25 * max(brightest(abs(left + right - 2.0 * here)), brightest(abs(below + above - 2.0 * here)));
     float mean = brightest(textureLod(nodes, vec2(0.5), 100.0).rgb);
     float relative = around > 0.0 ? error / (tolerance * max(around, mean)) : 0.0;
-    judged = vec4(here, around > 0.0 && edgeInCell(node * nodeStep) ? -1.0 - relative : relative);
+    judged = vec4(here, edgeInCell(node * nodeStep) ? -1.0 - relative : relative);
 }

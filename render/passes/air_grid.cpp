@@ -74,6 +74,32 @@ void AirGrid::judge(const LightInputs& in, int step) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+/// Where a beam is too narrow near its lens for the grid, no cell may be interpolated.
+void AirGrid::markLenses(const LightInputs& in, int step) {
+    static constexpr std::array<float, 4> kEdge{0.0f, 0.0f, 0.0f, -2.0f};
+    const glm::ivec2 count = nodeCount(in.settings, step);
+    glEnable(GL_SCISSOR_TEST);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+    for (const BeamGroup& group : wide_) {
+        for (const int beam : group.beams) {
+            const auto index = static_cast<std::size_t>(beam);
+            const auto square = thinSurroundings(in.scene.beams[index], in.plan.shapes[index], in.camera,
+                                                 {in.settings.width, in.settings.height}, step);
+            if (!square) continue;
+            const glm::dvec2 last(count);
+            const double nodePx = step;
+            const glm::ivec2 from(glm::clamp(glm::floor((square->centerPx - square->halfEdgePx) / nodePx),
+                                             glm::dvec2(0.0), last));
+            const glm::ivec2 to(glm::clamp(glm::ceil((square->centerPx + square->halfEdgePx) / nodePx),
+                                           glm::dvec2(0.0), last));
+            glScissor(from.x, from.y, to.x - from.x, to.y - from.y);
+            glClearBufferfv(GL_COLOR, 0, kEdge.data());
+        }
+    }
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDisable(GL_SCISSOR_TEST);
+}
+
 void AirGrid::interpolate(AirPass& air, const LightInputs& in, int step) {
     static constexpr float kToDo = 1.0f;
     glBindFramebuffer(GL_FRAMEBUFFER, pictureTarget_.id());
@@ -109,6 +135,7 @@ void AirGrid::draw(AirPass& air, const LightInputs& in, GLuint radiance, int ste
     glViewport(0, 0, count.x, count.y);
     drawNodes(air, in, step);
     judge(in, step);
+    markLenses(in, step);
     interpolate(air, in, step);
     refine(air, in);
 }

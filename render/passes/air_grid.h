@@ -21,6 +21,7 @@ class AirGrid {
     void splitBeams(const LightInputs& in, int step);
     void drawNodes(AirPass& air, LightInputs in, int step);
     void judge(const LightInputs& in, int step);
+    void markLenses(const LightInputs& in, int step);
     void interpolate(AirPass& air, const LightInputs& in, int step);
     void refine(AirPass& air, const LightInputs& in);
 

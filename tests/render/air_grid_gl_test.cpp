@@ -85,16 +85,17 @@ TEST_F(AirGridGl, FromInsideTheBeam) {
                       {{0.2, 0.1, 2.0}, {3.0, 0.0, 2.5}, {0.0, 0.0, 1.0}, 70.0 * kRadPerDeg});
 }
 
-// A post narrower than the grid hides what is behind it all the same.
-TEST_F(AirGridGl, ABodyThinnerThanTheGridHidesTheBeam) {
+// Posts narrower than the grid hide what is behind them all the same, wherever they stand between its nodes.
+TEST_F(AirGridGl, BodiesThinnerThanTheGridHideTheBeam) {
     Scene scene = lampInHaze(25.0, 0.08);
+    scene.beams.front().castsShadow = false;
     render::MeshInstance post;
     post.mesh = renderer().addMesh(render::makeBox());
-    post.worldFromMesh = glm::translate(glm::dmat4(1.0), glm::dvec3(4.0, -2.6, 2.5)) *
-                         glm::scale(glm::dmat4(1.0), glm::dvec3(0.09, 0.09, 5.0));
-    post.castsShadow = false;
-    scene.instances.push_back(post);
-    scene.beams.front().castsShadow = false;
+    for (const double x : {3.2, 3.53, 3.89, 4.27, 4.7}) {
+        post.worldFromMesh = glm::translate(glm::dmat4(1.0), glm::dvec3(x, -2.6, 2.5)) *
+                             glm::scale(glm::dmat4(1.0), glm::dvec3(0.04, 0.04, 5.0));
+        scene.instances.push_back(post);
+    }
     expectNothingLost(scene, kSide);
 }
 

@@ -27,7 +27,7 @@ TEST(BeamWidth, AStageLampNearbyIsWide) {
 
 TEST(BeamWidth, APencilBeamFromAPointIsThin) {
     EXPECT_TRUE(isThin(0.5, 0.0, 10.0));
-    // 8 px wide only after 8 / (2 tan 2.5 deg) = 92 px.
+    // 8 px wide only after 8 / (2 tan 2.5 deg) = 91 px.
     EXPECT_TRUE(isThin(5.0, 0.0, 10.0));
 }
 
@@ -39,6 +39,34 @@ TEST(BeamWidth, ALensOfSomePixelsKeepsANarrowBeamWide) {
 
 TEST(BeamWidth, AnOpeningBelowThePixelsIsThinHoweverLargeTheLens) {
     EXPECT_TRUE(isThin(0.3, 0.5, 1.0));
+}
+
+TEST(BeamWidth, TheSurroundingsOfALensReachToWhereTheBeamIsTwoStepsWide) {
+    render::Beam beam;
+    beam.edge = render::BeamEdge::kFlat;
+    beam.fieldAngleRad = 40.0 * kRadPerDeg;
+    beam.lensRadiusM = 0.0;
+    beam.lensPositionM = {0.0, 0.0, 1.7};
+    const render::Camera camera;  // 10 m away, looks at the lens
+    const auto square =
+        render::thinSurroundings(beam, render::beamShape(beam), camera, {1280, kHeight}, kStepPx);
+    ASSERT_TRUE(square);
+    EXPECT_NEAR(square->centerPx.x, 640.0, 1e-9);
+    EXPECT_NEAR(square->centerPx.y, 360.0, 1e-9);
+    // 8 px over twice the tangent of 20 degrees, and a step.
+    EXPECT_NEAR(square->halfEdgePx, 8.0 / 0.72794 + kStepPx, 1e-3);
+}
+
+TEST(BeamWidth, ALargeLensOrOneBehindTheCameraHasNoThinSurroundings) {
+    render::Beam beam;
+    beam.fieldAngleRad = 40.0 * kRadPerDeg;
+    beam.lensRadiusM = 0.3;
+    beam.lensPositionM = {0.0, 0.0, 1.7};
+    const render::Camera camera;
+    EXPECT_FALSE(render::thinSurroundings(beam, render::beamShape(beam), camera, {1280, kHeight}, kStepPx));
+    beam.lensRadiusM = 0.0;
+    beam.lensPositionM = {0.0, -20.0, 1.7};
+    EXPECT_FALSE(render::thinSurroundings(beam, render::beamShape(beam), camera, {1280, kHeight}, kStepPx));
 }
 
 }  // namespace
