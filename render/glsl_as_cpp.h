@@ -22,11 +22,12 @@ struct Formulas {
     using Real2 = glm::vec<2, Scalar>;
     using Real3 = glm::vec<3, Scalar>;
     static constexpr Real PI = Real(3.14159265358979323846);
-#include "shaders/include/beam_medium.glsl"
 #include "shaders/include/beam_profile.glsl"
 #include "shaders/include/beam_ray.glsl"
 #include "shaders/include/gauss_legendre.glsl"
 #include "shaders/include/phase.glsl"
+    // Needs those above.
+#include "shaders/include/beam_medium.glsl"
     // The hooks of beam_integral.glsl: nothing in the way, even haze.
     Real3 transmissionAt(const LampSample&) {
         return Real3(Real(1));

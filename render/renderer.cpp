@@ -190,7 +190,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     r.pass("ambient", [&] { r.ambient.draw(scene, r.surfaces); });
     const std::vector<GpuBeam> beams = packBeams(scene, plan, camera);
     const LightInputs lights{scene,      camera, settings,          plan,
-                             r.surfaces, beams,  r.gobos.texture(), r.shadows.texture()};
+                             r.surfaces, beams,  r.gobos.texture(), r.shadows.texture(), r.webs.texture()};
     if (!plan.surfaceGroups.empty()) r.pass("lit surfaces", [&] { r.litSurfaces.draw(lights); });
     if (!plan.airGroups.empty()) r.pass("beams", [&] { r.drawAir(lights); });
     if (!plan.lenses.empty()) r.pass("lenses", [&] { r.lenses.draw(lights); });

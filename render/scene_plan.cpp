@@ -14,7 +14,7 @@ constexpr std::array<std::pair<LightFeatures, const char*>, 6> kFeatureNames{{{k
                                                                               {kFeatureShadow, "SHADOW"},
                                                                               {kFeatureNoise, "NOISE"},
                                                                               {kFeatureUniform, "UNIFORM"},
-{kFeatureWeb, "WEB"}}};
+                                                                              {kFeatureWeb, "WEB"}}};
 
 /// What only the light in the air knows.
 constexpr LightFeatures kAirOnly = kFeatureNoise | kFeatureUniform;
@@ -70,6 +70,18 @@ std::vector<BeamGroup> groupBeams(const std::vector<int>& lit, const std::vector
     return list;
 }
 
+/// Lit lenses that are to be seen. All they ask is where the intensity comes from.
+std::vector<BeamGroup> groupLenses(const Scene& scene, const std::vector<int>& lit) {
+    std::vector<int> seen;
+    std::vector<LightFeatures> features(scene.beams.size(), 0);
+    for (const int index : lit) {
+        const Beam& beam = scene.beams[static_cast<std::size_t>(index)];
+        if (beam.showsLens && beam.lensRadiusM > 0.0) seen.push_back(index);
+        if (beam.web >= 0) features[static_cast<std::size_t>(index)] = kFeatureWeb;
+    }
+    return groupBeams(seen, features, 0);
+}
+
 }  // namespace
 
 std::vector<std::string> featureDefines(LightFeatures features) {
@@ -101,10 +113,7 @@ ScenePlan planScene(const Scene& scene, const Settings& settings, std::span<cons
     plan.surfaces = !scene.instances.empty();
     plan.air = !lit.empty() && scene.haze.scatteringPerM > 0.0f;
     plan.bloom = settings.bloom;
-    for (const int index : lit) {
-        const Beam& beam = scene.beams[static_cast<std::size_t>(index)];
-        if (beam.showsLens && beam.lensRadiusM > 0.0) plan.lenses.push_back(index);
-    }
+    plan.lenses = groupLenses(scene, lit);
 
     std::vector<bool> hasShadow(scene.beams.size(), false);
     if (settings.shadows && (plan.air || plan.surfaces)) {

@@ -42,7 +42,7 @@ struct ScenePlan {
     bool air = false;       ///< Haze that scatters, and a lit beam.
     bool bloom = false;
     std::vector<BeamShape> shapes;          ///< One per beam of the scene.
-    std::vector<int> lenses;                ///< Beams with a lit lens to draw.
+    std::vector<BeamGroup> lenses;          ///< Lit lenses to draw.
     std::vector<BeamGroup> airGroups;       ///< Empty without haze that scatters.
     std::vector<BeamGroup> surfaceGroups;   ///< Empty without surfaces.
     std::vector<ShadowMapPlan> shadowMaps;  ///< Layer i of the map array is shadowMaps[i].

@@ -8,6 +8,9 @@
 #if defined(GOBO) || defined(SHADOW)
 #define APERTURE 1
 #endif
+#ifdef WEB
+float webAt(vec3 direction);  // see web_picture.glsl
+#endif
 #include "include/beam_medium.glsl"
 #include "include/beam_pixel.glsl"
 
@@ -25,6 +28,9 @@ out vec4 radiance;
 #endif
 #ifdef SHADOW
 #include "include/shadow.glsl"
+#endif
+#ifdef WEB
+#include "include/web_picture.glsl"
 #endif
 #ifdef NOISE
 #include "include/haze_noise.glsl"

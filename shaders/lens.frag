@@ -6,11 +6,15 @@
 in vec3 toEyeM;
 flat in vec4 light;
 flat in vec4 cone;
-flat in float radiusM;
+flat in vec4 lens;
 
 uniform float extinctionPerM;
 
 out vec4 radiance;
+
+#ifdef WEB
+#include "include/web_picture.glsl"
+#endif
 
 // Glass and dust scatter about this share of the peak everywhere; without it a lens is black from the side, which no lens is.
 const float STRAY_SHARE = 2.0e-4;
@@ -19,8 +23,12 @@ void main() {
     float distanceM = length(toEyeM);
     float cosAxis = -toEyeM.z / distanceM;
     if (cosAxis <= 0.0) discard;
+#ifdef WEB
+    float relative = webAt(toEyeM);
+#else
     float sinAxis = length(toEyeM.xy) / distanceM;
     float relative = cosAxis > cone.x ? (cone.w > 0.0 ? softProfile(atan(sinAxis, cosAxis), cone.z, cone.w) : 1.0) : 0.0;
-    float areaM2 = PI * radiusM * radiusM;
+#endif
+    float areaM2 = PI * lens.x * lens.x;
     radiance = vec4(light.rgb * ((relative / cosAxis + STRAY_SHARE) / areaM2 * exp(-extinctionPerM * distanceM)), 1.0);
 }

@@ -14,12 +14,12 @@ uniform mat4 clipFromView;
 out vec3 toEyeM;  // lamp space
 flat out vec4 light;
 flat out vec4 cone;
-flat out float radiusM;
+flat out vec4 lens;
 
 void main() {
     light = beamLight;
     cone = beamCone;
-    radiusM = beamLens.x;
+    lens = beamLens;
     // A hair in front of the body's own front, so that the two do not fight over depth.
     vec3 pointM = vec3(corner.xy * beamLens.x, -(beamLight.w + 0.004));
     toEyeM = vec3(beamRow0.w, beamRow1.w, beamRow2.w) - pointM;

@@ -3,6 +3,9 @@
 #include "include/real.glsl"
 #include "include/beam_profile.glsl"
 #include "include/beam_ray.glsl"
+#ifdef WEB
+float webAt(vec3 direction);  // see web_picture.glsl
+#endif
 #include "include/beam_medium.glsl"
 #include "include/surface.glsl"
 #include "include/beam_pixel.glsl"
@@ -18,6 +21,9 @@ out vec4 radiance;
 #ifdef SHADOW
 #include "include/shadow.glsl"
 #endif
+#ifdef WEB
+#include "include/web_picture.glsl"
+#endif
 
 // Illuminance [lx] of the surface for a lamp of 1 cd; `here` is the surface as the lamp sees it.
 vec3 illuminance(LampSample here, float distanceToEyeM, vec3 normal, float slant) {
@@ -25,7 +31,7 @@ vec3 illuminance(LampSample here, float distanceToEyeM, vec3 normal, float slant
     float cosIn = -dot(normal, here.direction);
     if (here.cosAxis < cone.x || axialM < light.w || cosIn <= 0.0) return vec3(0.0);
     float lensToSurfaceM = here.distanceM - light.w / here.cosAxis;
-    vec3 lux = vec3(beamProfile(beamOptics(), here.cosAxis, here.sinAxis) * exp(-extinctionPerM * lensToSurfaceM) * cosIn /
+    vec3 lux = vec3(beamProfile(beamOptics(), here) * exp(-extinctionPerM * lensToSurfaceM) * cosIn /
                     (here.distanceM * here.distanceM));
 #ifdef GOBO
     lux *= goboOnSurface(here.direction, axialM, pixelAngle() * distanceToEyeM / slant);

@@ -17,6 +17,7 @@ float leastPieces(LightFeatures features, int samples) {
     if (samples > 0) return 0.25f * static_cast<float>(samples);
     if ((features & kFeatureGobo) != 0) return 8.0f;
     if ((features & kFeatureShadow) != 0) return 6.0f;
+    if ((features & kFeatureWeb) != 0) return 6.0f;
     if ((features & kFeatureNoise) != 0) return 5.0f;
     return (features & kFeatureFlat) != 0 ? 1.0f : 3.0f;
 }

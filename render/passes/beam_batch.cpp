@@ -94,10 +94,12 @@ void setLightUniforms(const gl::Program& program, const LightInputs& in) {
     program.set("materialBuffer", kMaterialUnit);
     program.set("goboImages", kGoboUnit);
     program.set("shadowMaps", kShadowUnit);
+    program.set("webImages", kWebUnit);
     gl::bindTexture(kGeometryUnit, GL_TEXTURE_2D, in.surfaces.geometry());
     gl::bindTexture(kMaterialUnit, GL_TEXTURE_2D, in.surfaces.material());
     gl::bindTexture(kGoboUnit, GL_TEXTURE_2D_ARRAY, in.gobos);
     gl::bindTexture(kShadowUnit, GL_TEXTURE_2D_ARRAY, in.shadowMaps);
+    gl::bindTexture(kWebUnit, GL_TEXTURE_2D_ARRAY, in.webs);
 }
 
 BeamBatch::BeamBatch() {

@@ -22,6 +22,7 @@ struct LightInputs {
     const std::vector<GpuBeam>& beams;  ///< One per beam of the scene, see packBeams.
     GLuint gobos = 0;
     GLuint shadowMaps = 0;
+    GLuint webs = 0;
     int pixelStep = 1;  ///< Draws only every so many pixels, into a target of nodeCount().
 };
 
@@ -30,7 +31,15 @@ struct LightInputs {
 glm::ivec2 nodeCount(const Settings& settings, int step);
 
 /// Texture units of the shaders that draw beams.
-enum LightTextureUnit : int { kGeometryUnit, kMaterialUnit, kGoboUnit, kShadowUnit, kNoiseUnit, kNodeUnit };
+enum LightTextureUnit : int {
+    kGeometryUnit,
+    kMaterialUnit,
+    kGoboUnit,
+    kShadowUnit,
+    kNoiseUnit,
+    kNodeUnit,
+    kWebUnit
+};
 
 /// Every beam of the scene as seen by the camera.
 std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const Camera& camera);

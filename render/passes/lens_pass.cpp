@@ -1,20 +1,27 @@
 #include "render/passes/lens_pass.h"
 
-#include <array>
-
 namespace hazer::render {
 
 LensPass::LensPass(std::filesystem::path shaderFolder) : shaderFolder_(std::move(shaderFolder)) {}
 
+const gl::Program& LensPass::variant(LightFeatures features) {
+    const auto found = variants_.find(features);
+    if (found != variants_.end()) return found->second;
+    return variants_.try_emplace(features, shaderFolder_, "lens.vert", "lens.frag", featureDefines(features))
+        .first->second;
+}
+
 void LensPass::draw(const LightInputs& in) {
-    if (!program_) program_.emplace(shaderFolder_, "lens.vert", "lens.frag");
-    const std::array<BeamGroup, 1> lenses{{{0, in.plan.lenses}}};
-    batch_.upload(lenses, in.beams);
-    program_->use();
-    setLightUniforms(*program_, in);
+    const std::vector<BeamGroup>& groups = in.plan.lenses;
+    batch_.upload(groups, in.beams);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
-    batch_.drawLenses(0);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const gl::Program& program = variant(groups[i].features);
+        program.use();
+        setLightUniforms(program, in);
+        batch_.drawLenses(i);
+    }
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
 }

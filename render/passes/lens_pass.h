@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <map>
 
 #include "render/passes/beam_batch.h"
 
@@ -16,8 +16,10 @@ class LensPass {
     void draw(const LightInputs& in);
 
  private:
+    const gl::Program& variant(LightFeatures features);
+
     std::filesystem::path shaderFolder_;
-    std::optional<gl::Program> program_;
+    std::map<LightFeatures, gl::Program> variants_;
     BeamBatch batch_;
 };
 

@@ -9,7 +9,7 @@
 // What is smooth at a sample: phase function, attenuation, profile.
 Real beamKernel(LampSample here, BeamOptics optics, HazeMedium haze) {
     return phaseTwoLobes(here.cosScatter, haze.forwardG, haze.backwardG, haze.forwardWeight) * exp(-haze.extinctionPerM * here.pathM) *
-           beamProfile(optics, here.cosAxis, here.sinAxis);
+           beamProfile(optics, here);
 }
 
 // The stretch of the ray, from the eye to tEnd [m], that the beam lights and that matters.

@@ -65,7 +65,11 @@ TEST(ScenePlan, AWebGivesTheBeamItsShape) {
     const ScenePlan p = render::planScene(scene, {}, kUnitSphere, webs);
     EXPECT_EQ(p.shapes.front().peakCd, 700.0);
     EXPECT_NEAR(p.shapes.front().cutHalfAngleRad, 40.0 * 3.14159265 / 180.0, 0.01);
-    EXPECT_EQ(p.airGroups.size(), 1u);
+    ASSERT_EQ(p.airGroups.size(), 1u);
+    EXPECT_EQ(p.airGroups.front().features & (render::kFeatureWeb | render::kFeatureFlat),
+              render::kFeatureWeb);
+    ASSERT_EQ(p.lenses.size(), 1u);
+    EXPECT_EQ(p.lenses.front().features, render::kFeatureWeb);
 }
 
 TEST(ScenePlan, NoHazeNoVolume) {
