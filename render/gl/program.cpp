@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <utility>
+
 #include "render/error.h"
 #include "render/gl/shader_source.h"
+#include "render/resources.h"
 
 namespace hazer::render::gl {
 namespace {
@@ -38,7 +41,7 @@ Shader compile(GLenum stage, const std::filesystem::path& folder, const std::str
 
 Program::Program(const std::filesystem::path& shaderFolder, const std::string& vertexFile,
                  const std::string& fragmentFile, const std::vector<std::string>& features)
-    : program_(glCreateProgram()) {
+    : name_(shaderName(fragmentFile, features)), program_(glCreateProgram()) {
     const Shader vertex = compile(GL_VERTEX_SHADER, shaderFolder, vertexFile, features);
     const Shader fragment = compile(GL_FRAGMENT_SHADER, shaderFolder, fragmentFile, features);
     glAttachShader(program_.id(), vertex.id());
@@ -78,6 +81,18 @@ void Program::set(const char* name, const glm::mat3& m) const {
 }
 void Program::set(const char* name, const glm::mat4& m) const {
     glUniformMatrix4fv(location(name), 1, GL_FALSE, &m[0][0]);
+}
+
+LazyProgram::LazyProgram(std::filesystem::path shaderFolder, std::string vertexFile, std::string fragmentFile,
+                         std::vector<std::string> features)
+    : shaderFolder_(std::move(shaderFolder)),
+      vertexFile_(std::move(vertexFile)),
+      fragmentFile_(std::move(fragmentFile)),
+      features_(std::move(features)) {}
+
+const Program& LazyProgram::get() {
+    if (!program_) program_.emplace(shaderFolder_, vertexFile_, fragmentFile_, features_);
+    return *program_;
 }
 
 }  // namespace hazer::render::gl
