@@ -153,11 +153,13 @@ int editionOf(std::string_view firstLine) {
 
 /// Skips to behind the TILT line. Returns what stands behind the equals sign.
 std::string_view findTilt(IesReader& reader, int& edition) {
-    constexpr std::string_view kTilt = "TILT=";
+    constexpr std::string_view kTilt = "TILT";
     for (bool first = true; !reader.atEnd(); first = false) {
         const std::string_view line = reader.nextLine();
         if (first) edition = editionOf(line);
-        if (startsWith(line, kTilt)) return trimmed(line.substr(kTilt.size()));
+        if (!startsWith(line, kTilt)) continue;
+        const std::string_view value = trimmed(line.substr(kTilt.size()));
+        if (value.starts_with('=')) return trimmed(value.substr(1));
     }
     reader.fail("there is no TILT= line up to the end; is this an IES (LM-63) file?");
 }

@@ -77,6 +77,12 @@ TEST(IesTable, ReadsATableOfTiltsAndSaysThatItIsNotApplied) {
     EXPECT_THAT(table.warning, HasSubstr("TILT=INCLUDE"));
 }
 
+TEST(IesTable, TakesBlanksAroundTheTiltAndItsNameInAText) {
+    IesText file;
+    file.tilt = "TILTED it was not\n  Tilt = none ";
+    EXPECT_EQ(parsed(file.text()).candela.size(), 2u);
+}
+
 TEST(IesTable, ReadsEveryTypeAndSymmetry) {
     IesText file;
     for (const auto& [first, last] : {std::pair{0.0, 90.0}, {0.0, 180.0}, {90.0, 270.0}, {0.0, 360.0}}) {
