@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "render/error.h"
+#include "render/gl/inventory.h"
 
 namespace hazer::render {
 namespace {
@@ -102,6 +103,10 @@ GLuint GoboStore::texture() {
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     uploaded_ = layers_.size();
     return texture_.id();
+}
+
+void GoboStore::list(Resources& resources) const {
+    gl::listTexture(resources, "gobos", GL_TEXTURE_2D_ARRAY, texture_);
 }
 
 }  // namespace hazer::render

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/gl/handle.h"
+#include "render/resources.h"
 #include "render/scene.h"
 
 namespace hazer::render {
@@ -27,6 +28,9 @@ class GoboStore {
 
     /// A GL_TEXTURE_2D_ARRAY with mip levels; 0 while there are no gobos.
     GLuint texture();
+
+    /// Adds what there is on the GPU.
+    void list(Resources& resources) const;
 
  private:
     std::vector<std::vector<std::uint8_t>> layers_;

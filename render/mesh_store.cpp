@@ -1,5 +1,7 @@
 #include "render/mesh_store.h"
 
+#include "render/gl/inventory.h"
+
 namespace hazer::render {
 
 MeshId MeshStore::add(const Mesh& mesh) {
@@ -48,6 +50,13 @@ void MeshStore::draw(MeshId mesh) const {
     const GpuMesh& gpu = meshes_[static_cast<std::size_t>(mesh)];
     glBindVertexArray(gpu.vertexArray.id());
     glDrawElements(GL_TRIANGLES, gpu.indexCount, GL_UNSIGNED_INT, nullptr);
+}
+
+void MeshStore::list(Resources& resources) const {
+    for (const GpuMesh& mesh : meshes_) {
+        gl::listBuffer(resources, "meshes", mesh.vertices);
+        gl::listBuffer(resources, "meshes", mesh.indices);
+    }
 }
 
 }  // namespace hazer::render

@@ -5,6 +5,7 @@
 
 #include "render/gl/handle.h"
 #include "render/mesh.h"
+#include "render/resources.h"
 #include "render/scene.h"
 
 namespace hazer::render {
@@ -18,6 +19,9 @@ class MeshStore {
 
     /// Draws with the program in use; vertex inputs 0 (position) and 1 (normal).
     void draw(MeshId mesh) const;
+
+    /// Adds what there is on the GPU.
+    void list(Resources& resources) const;
 
     /// Indexed by MeshId.
     const std::vector<BoundingSphere>& bounds() const { return bounds_; }

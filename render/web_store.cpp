@@ -1,5 +1,7 @@
 #include "render/web_store.h"
 
+#include "render/gl/inventory.h"
+
 namespace hazer::render {
 
 WebId WebStore::add(const IesWeb& web) {
@@ -23,6 +25,10 @@ GLuint WebStore::texture() {
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     uploaded_ = webs_.size();
     return texture_.id();
+}
+
+void WebStore::list(Resources& resources) const {
+    gl::listTexture(resources, "webs", GL_TEXTURE_2D_ARRAY, texture_);
 }
 
 }  // namespace hazer::render

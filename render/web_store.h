@@ -6,6 +6,7 @@
 
 #include "render/gl/handle.h"
 #include "render/ies_web.h"
+#include "render/resources.h"
 #include "render/scene.h"
 
 namespace hazer::render {
@@ -20,6 +21,9 @@ class WebStore {
 
     /// A GL_TEXTURE_2D_ARRAY, one layer a web, in 16-bit floats relative to the peak; 0 while there are none.
     GLuint texture();
+
+    /// Adds what there is on the GPU.
+    void list(Resources& resources) const;
 
  private:
     std::vector<IesWeb> webs_;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "render/gl/inventory.h"
 #include "render/gl/program.h"
 #include "render/passes/surface_pass.h"
 #include "render/scene.h"
@@ -15,6 +16,9 @@ class AmbientPass {
 
     /// Writes every pixel of the bound framebuffer.
     void draw(const Scene& scene, const SurfacePass& surfaces);
+
+    /// Adds what there is on the GPU.
+    void list(Resources& resources) const { gl::listProgram(resources, program_); }
 
  private:
     gl::Program program_;

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "render/gl/handle.h"
+#include "render/gl/inventory.h"
 #include "render/gl/program.h"
 
 namespace hazer::render {
@@ -14,6 +15,9 @@ class AntialiasPass {
 
     /// Writes the bound framebuffer from `display`, a linearly filtered texture of the same size.
     void draw(GLuint display, int width, int height);
+
+    /// Adds what there is on the GPU.
+    void list(Resources& resources) const { gl::listProgram(resources, program_); }
 
  private:
     gl::Program program_;

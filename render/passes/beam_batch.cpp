@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "render/camera.h"
+#include "render/gl/inventory.h"
 #include "render/gl/texture.h"
 
 namespace hazer::render {
@@ -102,7 +103,11 @@ void setLightUniforms(const gl::Program& program, const LightInputs& in) {
     gl::bindTexture(kWebUnit, GL_TEXTURE_2D_ARRAY, in.webs);
 }
 
-BeamBatch::BeamBatch() {
+void BeamBatch::makeHull() {
+    vertexArray_ = gl::makeVertexArray();
+    corners_ = gl::makeBuffer();
+    hullIndices_ = gl::makeBuffer();
+    beams_ = gl::makeBuffer();
     const std::vector<glm::vec3> corners = hullCorners();
     const std::vector<std::uint16_t> indices = hullIndexList();
     hullIndexCount_ = static_cast<GLsizei>(indices.size());
@@ -119,6 +124,7 @@ BeamBatch::BeamBatch() {
 }
 
 void BeamBatch::upload(std::span<const BeamGroup> groups, const std::vector<GpuBeam>& beams) {
+    if (hullIndexCount_ == 0) makeHull();
     std::vector<GpuBeam> ordered;
     ranges_.clear();
     for (const BeamGroup& group : groups) {
@@ -163,6 +169,12 @@ void BeamBatch::drawLenses(std::size_t group) {
     glBlendFunc(GL_ONE, GL_ONE);
     glDrawArraysInstanced(GL_TRIANGLE_FAN, 0, kHullCorners, static_cast<GLsizei>(ranges_[group].count));
     glDisable(GL_BLEND);
+}
+
+void BeamBatch::list(Resources& resources, const char* name) const {
+    gl::listBuffer(resources, name, beams_);
+    gl::listBuffer(resources, "beam hull", corners_);
+    gl::listBuffer(resources, "beam hull", hullIndices_);
 }
 
 }  // namespace hazer::render

@@ -8,6 +8,7 @@
 #include "render/gl/program.h"
 #include "render/gpu_beam.h"
 #include "render/passes/surface_pass.h"
+#include "render/resources.h"
 #include "render/scene_plan.h"
 
 namespace hazer::render {
@@ -47,10 +48,9 @@ std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const 
 /// Sets what every shader that draws beams knows, and binds the textures it looks up.
 void setLightUniforms(const gl::Program& program, const LightInputs& in);
 
+/// Nothing of it exists before the first upload().
 class BeamBatch {
  public:
-    BeamBatch();
-
     /// Takes the beams of these groups, group after group.
     void upload(std::span<const BeamGroup> groups, const std::vector<GpuBeam>& beams);
 
@@ -62,17 +62,21 @@ class BeamBatch {
     /// Draws the lenses of one group as discs.
     void drawLenses(std::size_t group);
 
+    /// Adds what there is on the GPU: the beams under `name`, and the hull that they share.
+    void list(Resources& resources, const char* name) const;
+
  private:
     struct Range {
         std::size_t first = 0;
         std::size_t count = 0;
     };
+    void makeHull();
     void bind(const Range& range);
 
-    gl::VertexArray vertexArray_ = gl::makeVertexArray();
-    gl::Buffer corners_ = gl::makeBuffer();
-    gl::Buffer hullIndices_ = gl::makeBuffer();
-    gl::Buffer beams_ = gl::makeBuffer();
+    gl::VertexArray vertexArray_;
+    gl::Buffer corners_;
+    gl::Buffer hullIndices_;
+    gl::Buffer beams_;
     GLsizei hullIndexCount_ = 0;
     std::vector<Range> ranges_;
 };

@@ -6,9 +6,14 @@
 
 #include "render/gl/handle.h"
 #include "render/gl/program.h"
+#include "render/resources.h"
 
 namespace hazer::render {
 
+/// Width and height of the blurred pictures of a picture of this size, the finest first.
+std::vector<glm::ivec2> bloomLevelSizes(int width, int height);
+
+/// Nothing of it exists before the first draw().
 class BloomPass {
  public:
     explicit BloomPass(const std::filesystem::path& shaderFolder);
@@ -17,6 +22,9 @@ class BloomPass {
 
     /// Blurs `radiance` (a texture of the size given to resize). The result has the same mean.
     void draw(GLuint radiance);
+
+    /// Adds what there is on the GPU.
+    void list(Resources& resources) const;
 
     /// Half the size of the picture.
     GLuint texture() const { return levels_.empty() ? 0 : levels_.front().texture.id(); }
@@ -28,11 +36,12 @@ class BloomPass {
         int width = 0;
         int height = 0;
     };
+    void allocate();
     void drawInto(const Level& target, GLuint source, int sourceWidth, int sourceHeight,
                   const gl::Program& program);
 
-    gl::Program down_;
-    gl::Program up_;
+    gl::LazyProgram down_;
+    gl::LazyProgram up_;
     gl::VertexArray noVertices_ = gl::makeVertexArray();
     std::vector<Level> levels_;
     int width_ = 0;

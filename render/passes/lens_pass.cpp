@@ -1,5 +1,7 @@
 #include "render/passes/lens_pass.h"
 
+#include "render/gl/inventory.h"
+
 namespace hazer::render {
 
 LensPass::LensPass(std::filesystem::path shaderFolder) : shaderFolder_(std::move(shaderFolder)) {}
@@ -24,6 +26,11 @@ void LensPass::draw(const LightInputs& in) {
     }
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
+}
+
+void LensPass::list(Resources& resources) const {
+    for (const auto& [features, program] : variants_) gl::listProgram(resources, program);
+    batch_.list(resources, "beams of lenses");
 }
 
 }  // namespace hazer::render

@@ -15,6 +15,9 @@ class LensPass {
     /// Adds the plan's lenses to the bound framebuffer, behind what stands before them (its depth buffer).
     void draw(const LightInputs& in);
 
+    /// Adds what there is on the GPU.
+    void list(Resources& resources) const;
+
  private:
     const gl::Program& variant(LightFeatures features);
 

@@ -1,5 +1,7 @@
 #include "render/passes/lit_surface_pass.h"
 
+#include "render/gl/inventory.h"
+
 namespace hazer::render {
 
 LitSurfacePass::LitSurfacePass(std::filesystem::path shaderFolder) : shaderFolder_(std::move(shaderFolder)) {}
@@ -30,6 +32,11 @@ void LitSurfacePass::draw(const LightInputs& in) {
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
+}
+
+void LitSurfacePass::list(Resources& resources) const {
+    for (const auto& [features, program] : variants_) gl::listProgram(resources, program);
+    batch_.list(resources, "beams on surfaces");
 }
 
 }  // namespace hazer::render

@@ -15,6 +15,9 @@ class LitSurfacePass {
     /// Adds the plan's surface groups to the bound framebuffer, whose depth buffer is that of the surfaces.
     void draw(const LightInputs& in);
 
+    /// Adds what there is on the GPU.
+    void list(Resources& resources) const;
+
  private:
     const gl::Program& variant(LightFeatures features);
 

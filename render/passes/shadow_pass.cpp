@@ -5,6 +5,8 @@
 #include <bit>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "render/gl/inventory.h"
+
 namespace hazer::render {
 namespace {
 
@@ -44,11 +46,12 @@ void ShadowPass::allocate(int size, int layers) {
     glDrawBuffer(GL_NONE);
 }
 
-void ShadowPass::drawMap(int layer, const Content& content, const MeshStore& meshes) {
+void ShadowPass::drawMap(int layer, const Content& content, const gl::Program& program,
+                         const MeshStore& meshes) {
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, maps_.id(), 0, layer);
     glClearBufferfi(GL_DEPTH_STENCIL, 0, 1.0f, 0);
     for (const auto& [mesh, worldFromMesh] : content.casters) {
-        program_.set("clipFromMesh", glm::mat4(content.clipFromWorld * worldFromMesh));
+        program.set("clipFromMesh", glm::mat4(content.clipFromWorld * worldFromMesh));
         meshes.draw(mesh);
     }
 }
@@ -62,7 +65,8 @@ void ShadowPass::draw(const Scene& scene, const ScenePlan& plan, const MeshStore
     // Pushes the casters away from the lamp by their slope, so that a lit face does not shadow itself.
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(2.0f, 2.0f);
-    program_.use();
+    const gl::Program& program = program_.get();
+    program.use();
     for (std::size_t layer = 0; layer < plan.shadowMaps.size(); ++layer) {
         const ShadowMapPlan& map = plan.shadowMaps[layer];
         const auto beam = static_cast<std::size_t>(map.beam);
@@ -72,11 +76,16 @@ void ShadowPass::draw(const Scene& scene, const ScenePlan& plan, const MeshStore
             content.casters.emplace_back(instance.mesh, instance.worldFromMesh);
         }
         if (content == contents_[layer]) continue;
-        drawMap(static_cast<int>(layer), content, meshes);
+        drawMap(static_cast<int>(layer), content, program, meshes);
         contents_[layer] = std::move(content);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_TEST);
+}
+
+void ShadowPass::list(Resources& resources) const {
+    gl::listProgram(resources, program_);
+    gl::listTexture(resources, "shadow maps", GL_TEXTURE_2D_ARRAY, maps_);
 }
 
 }  // namespace hazer::render

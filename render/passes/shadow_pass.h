@@ -8,6 +8,7 @@
 #include "render/gl/handle.h"
 #include "render/gl/program.h"
 #include "render/mesh_store.h"
+#include "render/resources.h"
 #include "render/scene_plan.h"
 
 namespace hazer::render {
@@ -18,6 +19,9 @@ class ShadowPass {
 
     /// Draws the plan's maps. A lamp that stands still before things that stand still keeps last frame's map.
     void draw(const Scene& scene, const ScenePlan& plan, const MeshStore& meshes);
+
+    /// Adds what there is on the GPU.
+    void list(Resources& resources) const;
 
     /// A GL_TEXTURE_2D_ARRAY of depths with comparison, or 0 before the first map.
     GLuint texture() const { return maps_.id(); }
@@ -30,9 +34,9 @@ class ShadowPass {
         bool operator==(const Content&) const = default;
     };
     void allocate(int size, int layers);
-    void drawMap(int layer, const Content& content, const MeshStore& meshes);
+    void drawMap(int layer, const Content& content, const gl::Program& program, const MeshStore& meshes);
 
-    gl::Program program_;
+    gl::LazyProgram program_;
     gl::Texture maps_;
     gl::Framebuffer framebuffer_;
     std::vector<Content> contents_;

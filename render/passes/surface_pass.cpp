@@ -3,6 +3,7 @@
 #include <array>
 
 #include "render/camera.h"
+#include "render/gl/inventory.h"
 #include "render/gl/texture.h"
 
 namespace hazer::render {
@@ -28,21 +29,29 @@ void SurfacePass::draw(const Scene& scene, const Camera& camera, const MeshStore
     glClearBufferfi(GL_DEPTH_STENCIL, 0, 1.0f, 0);
     if (scene.instances.empty()) return;
     glEnable(GL_DEPTH_TEST);
-    program_.use();
-    program_.set("clipFromView", glm::mat4(clipFromView(camera, aspect_)));
+    const gl::Program& program = program_.get();
+    program.use();
+    program.set("clipFromView", glm::mat4(clipFromView(camera, aspect_)));
     const glm::dmat3 viewFromWorld = glm::transpose(worldFromView(camera));
     for (const MeshInstance& instance : scene.instances) {
         glm::dmat4 cameraFromMesh = instance.worldFromMesh;
         cameraFromMesh[3] -= glm::dvec4(camera.positionM, 0.0);
         const glm::dmat4 viewFromMesh = glm::dmat4(viewFromWorld) * cameraFromMesh;
-        program_.set("viewFromMesh", glm::mat4(viewFromMesh));
-        program_.set("viewFromMeshNormal", glm::mat3(glm::transpose(glm::inverse(glm::dmat3(viewFromMesh)))));
-        program_.set("albedo", instance.material.albedo);
-        program_.set("specular", instance.material.specular);
-        program_.set("shininess", instance.material.shininess);
+        program.set("viewFromMesh", glm::mat4(viewFromMesh));
+        program.set("viewFromMeshNormal", glm::mat3(glm::transpose(glm::inverse(glm::dmat3(viewFromMesh)))));
+        program.set("albedo", instance.material.albedo);
+        program.set("specular", instance.material.specular);
+        program.set("shininess", instance.material.shininess);
         meshes.draw(instance.mesh);
     }
     glDisable(GL_DEPTH_TEST);
+}
+
+void SurfacePass::list(Resources& resources) const {
+    gl::listProgram(resources, program_);
+    gl::listTexture(resources, "geometry", GL_TEXTURE_2D, geometry_);
+    gl::listTexture(resources, "material", GL_TEXTURE_2D, material_);
+    gl::listTexture(resources, "depth", GL_TEXTURE_2D, depth_);
 }
 
 }  // namespace hazer::render

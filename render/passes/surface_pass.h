@@ -7,6 +7,7 @@
 #include "render/gl/handle.h"
 #include "render/gl/program.h"
 #include "render/mesh_store.h"
+#include "render/resources.h"
 #include "render/scene.h"
 
 namespace hazer::render {
@@ -18,12 +19,15 @@ class SurfacePass {
     void resize(int width, int height);
     void draw(const Scene& scene, const Camera& camera, const MeshStore& meshes);
 
+    /// Adds what there is on the GPU.
+    void list(Resources& resources) const;
+
     GLuint geometry() const { return geometry_.id(); }
     GLuint material() const { return material_.id(); }
     GLuint depth() const { return depth_.id(); }
 
  private:
-    gl::Program program_;
+    gl::LazyProgram program_;
     gl::Texture geometry_, material_, depth_;
     gl::Framebuffer framebuffer_;
     double aspect_ = 1.0;

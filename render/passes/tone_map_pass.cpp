@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "render/gl/inventory.h"
 #include "render/gl/texture.h"
 
 namespace hazer::render {
@@ -15,7 +16,7 @@ ToneMapPass::ToneMapPass(const std::filesystem::path& shaderFolder)
       withBloom_(shaderFolder, "fullscreen.vert", "tone_map.frag", {"BLOOM"}) {}
 
 void ToneMapPass::draw(GLuint radiance, GLuint bloom, int width, int height, float exposureEv100) {
-    const gl::Program& program = bloom != 0 ? withBloom_ : plain_;
+    const gl::Program& program = bloom != 0 ? withBloom_.get() : plain_.get();
     program.use();
     gl::bindTexture(0, GL_TEXTURE_2D, radiance);
     gl::bindTexture(1, GL_TEXTURE_2D, bloom);
@@ -26,6 +27,11 @@ void ToneMapPass::draw(GLuint radiance, GLuint bloom, int width, int height, flo
     program.set("bloomShare", kBloomShare);
     glBindVertexArray(noVertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void ToneMapPass::list(Resources& resources) const {
+    gl::listProgram(resources, plain_);
+    gl::listProgram(resources, withBloom_);
 }
 
 }  // namespace hazer::render

@@ -5,6 +5,7 @@
 
 #include "render/gl/handle.h"
 #include "render/gl/program.h"
+#include "render/resources.h"
 
 namespace hazer::render {
 
@@ -15,9 +16,12 @@ class ToneMapPass {
     /// Writes the bound framebuffer, which has the size of `radiance`. bloom 0: none.
     void draw(GLuint radiance, GLuint bloom, int width, int height, float exposureEv100);
 
+    /// Adds what there is on the GPU.
+    void list(Resources& resources) const;
+
  private:
-    gl::Program plain_;
-    gl::Program withBloom_;
+    gl::LazyProgram plain_;
+    gl::LazyProgram withBloom_;
     gl::VertexArray noVertices_ = gl::makeVertexArray();
 };
 
