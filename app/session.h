@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "app/patch.h"
-#include "app/rig.h"
-#include "app/set_dressing.h"
 #include "app/show.h"
+#include "app/staging.h"
 #include "protocol/receiver.h"
 #include "protocol/universe_store.h"
 #include "render/renderer.h"
@@ -20,16 +19,6 @@ struct SessionOptions {
     bool listen =
         false;  ///< Bind the show's inputs. A show without any listens to Art-Net on every interface.
     std::optional<std::uint16_t> port;  ///< Replaces the port of every input; 0 lets the system choose.
-};
-
-/// What a person may change while the show runs. It starts as the show file says.
-struct SceneControls {
-    render::Haze haze;
-    render::Ambient ambient;
-    render::Color backgroundCdPerM2{0.0f};
-    std::optional<float> specular;   ///< 0..1 for every object; empty: each has its own.
-    std::optional<float> shininess;  ///< 1..1000 for every object; empty: each has its own.
-    bool furtherObjects = true;      ///< Draw the objects that the show marks as further ones.
 };
 
 /// How long the parts of the last frame took on the CPU.
@@ -63,6 +52,9 @@ class Session {
     /// targets.
     void draw();
 
+    /// What draw() draws.
+    render::Scene scene();
+
     double timeS() const { return timeS_; }         ///< Since the start; moves the noise in the haze.
     void setTime(double timeS) { timeS_ = timeS; }  ///< Jumps; mechanics stay where they are.
     const FrameTimes& frameTimes() const { return frameTimes_; }
@@ -77,15 +69,12 @@ class Session {
     std::uint16_t port() const;
 
  private:
-    render::Scene scene();
     void listen(const std::optional<std::uint16_t>& port);
 
     Show show_;
     Patch patch_;
     render::Renderer renderer_;
-    Rig rig_;
-    SetDressing dressing_;
-    std::vector<render::Beam> lights_;  ///< Those that no fixture carries.
+    Staging staging_;
     SceneControls controls_;
     render::Camera camera_;
     render::Settings settings_;

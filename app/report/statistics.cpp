@@ -43,21 +43,31 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
+std::vector<std::size_t> litPixels(const render::FloatImage& picture) {
+    double brightest = 0.0;
+    for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
+        brightest = std::max(brightest, lengthOf(&picture.rgb[i]));
+    }
+    std::vector<std::size_t> lit;
+    for (std::size_t i = 0; i < picture.rgb.size() / 3; ++i) {
+        if (lengthOf(&picture.rgb[3 * i]) > kLitShare * brightest) lit.push_back(i);
+    }
+    return lit;
+}
+
 PictureError pictureError(const render::FloatImage& picture, const render::FloatImage& reference) {
     assert(picture.rgb.size() == reference.rgb.size());
-    double brightest = 0.0;
-    for (std::size_t i = 0; i < reference.rgb.size(); i += 3) {
-        brightest = std::max(brightest, lengthOf(&reference.rgb[i]));
-    }
-    if (!(brightest > 0.0)) return {};
+    const std::vector<std::size_t> lit = litPixels(reference);
+    if (lit.empty()) return {};
     std::vector<double> errors, light;
     double unlitError = 0.0;
-    for (std::size_t i = 0; i < reference.rgb.size(); i += 3) {
-        const double error = distanceBetween(&picture.rgb[i], &reference.rgb[i]);
-        const double wanted = lengthOf(&reference.rgb[i]);
-        if (wanted > kLitShare * brightest) {
+    auto nextLit = lit.begin();
+    for (std::size_t i = 0; i < reference.rgb.size() / 3; ++i) {
+        const double error = distanceBetween(&picture.rgb[3 * i], &reference.rgb[3 * i]);
+        if (nextLit != lit.end() && *nextLit == i) {
             errors.push_back(error);
-            light.push_back(wanted);
+            light.push_back(lengthOf(&reference.rgb[3 * i]));
+            ++nextLit;
         } else {
             unlitError = std::max(unlitError, error);
         }

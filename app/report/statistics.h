@@ -12,10 +12,13 @@ namespace hazer::app {
 /// The middle value; of an even number the higher of the two in the middle. `values` must not be empty.
 double median(std::vector<double> values);
 
-/// How far a picture is from a reference, over the reference's lit pixels: those whose light is above 1e-4 of
-/// the brightest. The error of a pixel is the length of its difference in RGB. All are shares of the root
-/// mean square of the reference's light over the lit pixels, so that they compare with each other and between
-/// scenes.
+/// Which pixels of a picture, counted row by row, are lit: their light, as the length of RGB, is above 1e-4
+/// of the brightest's.
+std::vector<std::size_t> litPixels(const render::FloatImage& picture);
+
+/// How far a picture is from a reference, over the reference's lit pixels. The error of a pixel is the length
+/// of its difference in RGB. All are shares of the root mean square of the reference's light over the lit
+/// pixels, so that they compare with each other and between scenes.
 struct PictureError {
     std::size_t litPixels = 0;
     double rmsRel = 0.0;       ///< Root mean square of the errors.

@@ -17,7 +17,7 @@ test::ProcessResult report(std::vector<std::string> arguments) {
 
 TEST(Report, helpBeginsWithExamples) {
     EXPECT_THAT(report({"--help"}).output, StartsWith("Examples:\n  hazer report "));
-    for (const std::string part : {"speed"}) {
+    for (const std::string part : {"accuracy", "speed"}) {
         const test::ProcessResult result = report({part, "--help"});
         EXPECT_EQ(result.exitCode, 0);
         EXPECT_THAT(result.output, StartsWith("Examples:\n  hazer report " + part));
@@ -55,6 +55,31 @@ TEST(ReportSpeed, hostileOptions) {
         EXPECT_EQ(result.output, "");
         EXPECT_NE(result.errors, "");
     }
+}
+
+TEST(ReportAccuracy, hostileOptions) {
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--scene", "moon"},
+                                                      {"--scene", "plain", "a.toml"},
+                                                      {"--scene"},
+                                                      {"--size", "0x10"},
+                                                      {"--size", "1e9x1"},
+                                                      {"--set", "spot1"},
+                                                      {"--quick=maybe"},
+                                                      {"--out"},
+                                                      {"a.toml", "b.toml"}}) {
+        std::vector<std::string> all = arguments;
+        all.insert(all.begin(), "accuracy");
+        const test::ProcessResult result = report(all);
+        EXPECT_EQ(result.exitCode, 1) << arguments.front() << ' ' << arguments.back();
+        EXPECT_EQ(result.output, "");
+        EXPECT_NE(result.errors, "");
+    }
+}
+
+TEST(ReportAccuracy, aMissingShow) {
+    const test::ProcessResult result = report({"accuracy", "/nowhere/a.toml"});
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_THAT(result.errors, HasSubstr("/nowhere/a.toml"));
 }
 
 TEST(ReportSpeed, aMissingShow) {

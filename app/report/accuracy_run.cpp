@@ -1,0 +1,173 @@
+#include "app/report/accuracy_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "app/report/oracle_check.h"
+
+namespace hazer::app {
+namespace {
+
+constexpr int kMostFrames = 30;
+constexpr int kFramesOfOtherPasses = 8;
+
+/// The passes that draw light in the air.
+bool isAirPass(std::string_view name) {
+    return name.find("beams") != std::string_view::npos || name.find("air") != std::string_view::npos;
+}
+
+/// Milliseconds of the last frame in the passes that `counts` chooses.
+template <typename Counts>
+double lastMs(const render::Renderer& renderer, Counts counts) {
+    double sum = 0.0;
+    for (const render::PassTime& pass : renderer.lastPassTimes()) {
+        if (counts(pass.name)) sum += pass.milliseconds;
+    }
+    return sum;
+}
+
+/// The same scene with light in the air alone: surfaces are black, lenses hidden. What the air is integrated
+/// with stays, but for the stand-in for multiple scattering: single scattering is what can be compared.
+render::Scene airAlone(render::Scene scene) {
+    for (render::MeshInstance& instance : scene.instances) {
+        instance.material.albedo = render::Color(0.0f);
+        instance.material.specular = 0.0f;
+    }
+    for (render::Beam& beam : scene.beams) beam.showsLens = false;
+    scene.ambient.illuminanceLx = 0.0f;
+    scene.backgroundCdPerM2 = render::Color(0.0f);
+    scene.haze.deltaEddington = false;
+    return scene;
+}
+
+/// Draws one scene with one setting after another.
+class AccuracyRun {
+ public:
+    AccuracyRun(Session& session, const AccuracyOptions& options)
+        : session_(session), options_(options), air_(airAlone(session.scene())) {}
+
+    void drawReference();
+    void measureOtherPasses();
+    void measure(const IntegratorSetting& setting, AccuracyScene& result);
+    void check(AccuracyScene& result) const;
+
+ private:
+    render::Settings sized(render::Settings settings) const;
+    double draw(const render::Settings& settings);
+    std::optional<double> expectedS(const IntegratorSetting& setting) const;
+
+    Session& session_;
+    const AccuracyOptions& options_;
+    render::Scene air_;
+    render::FloatImage reference_;
+    double otherPassesMs_ = 0.0;
+    IntegratorSetting previous_;
+    double previousMs_ = 0.0;
+};
+
+render::Settings AccuracyRun::sized(render::Settings settings) const {
+    settings.width = session_.settings().width;
+    settings.height = session_.settings().height;
+    settings.exposureEv100 = session_.settings().exposureEv100;
+    return settings;
+}
+
+/// Draws the air alone; returns milliseconds of its passes.
+double AccuracyRun::draw(const render::Settings& settings) {
+    session_.renderer().render(air_, session_.camera(), sized(settings));
+    return lastMs(session_.renderer(), isAirPass);
+}
+
+void AccuracyRun::drawReference() {
+    draw(convergedSettings());
+    reference_ = session_.renderer().readRadiance();
+    if (litPixels(reference_).empty()) {
+        throw std::runtime_error(
+            fmt::format("{}: no light is in the air of the picture; light a fixture with --set "
+                        "NAME.Dimmer=1, or choose another camera",
+                        session_.show().file.string()));
+    }
+}
+
+void AccuracyRun::measureOtherPasses() {
+    std::vector<double> ms;
+    for (int frame = 0; frame < 1 + kFramesOfOtherPasses; ++frame) {
+        session_.renderer().render(session_.scene(), session_.camera(), sized({}));
+        const double others =
+            lastMs(session_.renderer(), [](std::string_view name) { return !isAirPass(name); });
+        if (frame > 0) ms.push_back(others);
+    }
+    otherPassesMs_ = median(ms);
+}
+
+/// How long a frame of more samples of the same will take; empty if nothing tells.
+std::optional<double> AccuracyRun::expectedS(const IntegratorSetting& setting) const {
+    if (setting.integrator != previous_.integrator || previous_.settings.samples == 0) return std::nullopt;
+    return 1e-3 * previousMs_ * setting.settings.samples / previous_.settings.samples;
+}
+
+void AccuracyRun::measure(const IntegratorSetting& setting, AccuracyScene& result) {
+    const std::optional<double> seconds = expectedS(setting);
+    if (seconds && *seconds > options_.longestS) {
+        result.notes.push_back(fmt::format("{}, {}: left out, since a frame would take about {:.0f} s.",
+                                           setting.integrator, setting.setting, *seconds));
+        return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const auto passedS = [&start] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    std::vector<double> ms{draw(setting.settings)};
+    AccuracyRow row{setting.integrator,
+                    setting.setting,
+                    setting.settings.samples,
+                    0,
+                    0.0,
+                    0.0,
+                    pictureError(session_.renderer().readRadiance(), reference_)};
+    // The first frame may have compiled shaders: it counts only where there is no time for a second.
+    bool isFirst = true;
+    while (passedS() < options_.rowS && ms.size() < kMostFrames) {
+        const double again = draw(setting.settings);
+        if (std::exchange(isFirst, false)) ms.clear();
+        ms.push_back(again);
+    }
+    row.frames = static_cast<int>(ms.size());
+    row.msMedian = median(ms);
+    row.frameMsMedian = row.msMedian + otherPassesMs_;
+    previous_ = setting;
+    previousMs_ = row.msMedian;
+    result.rows.push_back(std::move(row));
+}
+
+void AccuracyRun::check(AccuracyScene& result) const {
+    OracleResult oracle =
+        checkAgainstOracle(reference_, air_, session_.camera(), session_.renderer(), options_.oraclePixels);
+    result.oracle = oracle.check;
+    if (!oracle.check) result.notes.push_back(oracle.why);
+}
+
+}  // namespace
+
+AccuracyScene measureAccuracy(Session& session, const AccuracyOptions& options,
+                              const std::function<void()>& step) {
+    AccuracyScene result;
+    result.title = session.show().title;
+    AccuracyRun run(session, options);
+    run.drawReference();
+    run.check(result);
+    run.measureOtherPasses();
+    for (const IntegratorSetting& setting : options.settings) {
+        step();
+        run.measure(setting, result);
+    }
+    return result;
+}
+
+}  // namespace hazer::app
