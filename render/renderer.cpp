@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "render/error.h"
 #include "render/gl/debug_output.h"
@@ -75,6 +76,7 @@ struct Renderer::Impl {
 
     void resize(int newWidth, int newHeight);
     void drawAir(const LightInputs& in);
+    void drawCost(const LightInputs& in);
     void drawToneMap();
     void drawAntialias();
 
@@ -144,6 +146,18 @@ void Renderer::Impl::drawAir(const LightInputs& in) {
     }
 }
 
+void Renderer::Impl::drawCost(const LightInputs& in) {
+    static constexpr std::array<float, 4> kNothing{};
+    glClearBufferfv(GL_COLOR, 0, kNothing.data());
+    const int step = airStep(in.settings);
+    if (step > 1) {
+        airGrid.count(air, in, step);
+        glBindFramebuffer(GL_FRAMEBUFFER, radianceTarget.id());
+    } else {
+        air.count(in, in.plan.airGroups, 1.0f);
+    }
+}
+
 void Renderer::Impl::drawToneMap() {
     glBindFramebuffer(GL_FRAMEBUFFER, toneMapTarget.id());
     glViewport(0, 0, width, height);
@@ -189,11 +203,13 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     glBindFramebuffer(GL_FRAMEBUFFER, r.radianceTarget.id());
     r.pass("ambient", [&] { r.ambient.draw(scene, r.surfaces); });
     const std::vector<GpuBeam> beams = packBeams(scene, plan, camera);
-    const LightInputs lights{scene,      camera, settings,          plan,
-                             r.surfaces, beams,  r.gobos.texture(), r.shadows.texture(), r.webs.texture()};
+    const LightInputs lights{scene,           camera, settings,          plan,
+                             r.surfaces,      beams,  r.gobos.texture(), r.shadows.texture(),
+                             r.webs.texture()};
     if (!plan.surfaceGroups.empty()) r.pass("lit surfaces", [&] { r.litSurfaces.draw(lights); });
     if (!plan.airGroups.empty()) r.pass("beams", [&] { r.drawAir(lights); });
     if (!plan.lenses.empty()) r.pass("lenses", [&] { r.lenses.draw(lights); });
+    if (settings.countsIntegrals) r.pass("cost", [&] { r.drawCost(lights); });
     if (plan.bloom) r.pass("bloom", [&] { r.bloom.draw(r.radiance.id()); });
     r.pass("tone map", [&] { r.drawToneMap(); });
     r.pass("antialias", [&] { r.drawAntialias(); });

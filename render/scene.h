@@ -116,6 +116,7 @@ struct Settings {
     /// Pixels between the nodes where light in the air is integrated first; in between it is interpolated
     /// where that is good enough. 1: every pixel is integrated. 0: as the quality asks.
     int airStep = 0;
+    bool countsIntegrals = false;  ///< The radiance is the number of integrals that each pixel took instead.
     bool shadows = true;
     bool gobos = true;
     bool bloom = true;  ///< Display only; never in the radiance.

@@ -9,15 +9,16 @@
 namespace hazer::render {
 namespace {
 
-constexpr std::array<std::pair<LightFeatures, const char*>, 6> kFeatureNames{{{kFeatureFlat, "FLAT_PROFILE"},
+constexpr std::array<std::pair<LightFeatures, const char*>, 7> kFeatureNames{{{kFeatureFlat, "FLAT_PROFILE"},
                                                                               {kFeatureGobo, "GOBO"},
                                                                               {kFeatureShadow, "SHADOW"},
                                                                               {kFeatureNoise, "NOISE"},
                                                                               {kFeatureUniform, "UNIFORM"},
-                                                                              {kFeatureWeb, "WEB"}}};
+                                                                              {kFeatureWeb, "WEB"},
+                                                                              {kFeatureCount, "COUNT"}}};
 
 /// What only the light in the air knows.
-constexpr LightFeatures kAirOnly = kFeatureNoise | kFeatureUniform;
+constexpr LightFeatures kAirOnly = kFeatureNoise | kFeatureUniform | kFeatureCount;
 
 bool canBe(LightFeatures features) {
     return (features & kFeatureFlat) == 0 || (features & kFeatureWeb) == 0;

@@ -22,6 +22,7 @@ enum LightFeature : std::uint32_t {
     kFeatureNoise = 1u << 3,    ///< The haze is uneven; in the air only.
     kFeatureUniform = 1u << 4,  ///< The thesis' integrator; in the air only.
     kFeatureWeb = 1u << 5,      ///< A photometric web stands for the profile; never with kFeatureFlat.
+    kFeatureCount = 1u << 6,    ///< Counts instead of drawing; in the air only.
 };
 using LightFeatures = std::uint32_t;
 

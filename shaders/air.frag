@@ -21,6 +21,8 @@ uniform float leastPieces;     // pieces of the lit stretch, 4 nodes each
 uniform int uniformSamples;    // UNIFORM: samples along the ray
 uniform float uniformRangeM;   // UNIFORM: where a ray that hits nothing ends
 
+uniform float countedAs;  // COUNT: what one integral of this pixel counts
+
 out vec4 radiance;
 
 #ifdef GOBO
@@ -62,5 +64,9 @@ void main() {
     vec3 relative = beamInAir(pixelRay(), beamOptics(), haze, endM, leastPieces);
 #endif
     if (relative == vec3(0.0)) discard;
+#ifdef COUNT
+    radiance = vec4(countedAs);
+#else
     radiance = vec4(relative * light.rgb, 1.0);
+#endif
 }

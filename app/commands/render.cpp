@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "app/assignment.h"
 #include "app/commands/command.h"
@@ -15,6 +16,7 @@
 #include "app/film.h"
 #include "app/interrupt.h"
 #include "app/picture_file.h"
+#include "app/picture_view.h"
 #include "app/progress.h"
 #include "app/session.h"
 #include "render/gl/headless_context.h"
@@ -33,6 +35,7 @@ struct RenderOptions {
     std::optional<float> ev100;
     std::string integrator = "angle";
     int samples = 0;
+    std::string view = "light";
     bool hasNoBloom = false;
     double timeS = 0.0;
     double seconds = 0.0;  // 0: a still
@@ -85,10 +88,61 @@ void warnIfNothingArrived(const Session& session) {
         session.port());
 }
 
+/// The light of the last frame's scene, drawn again with other settings.
+render::FloatImage drawnWith(Session& session, const render::Settings& settings) {
+    const render::Settings before = std::exchange(session.settings(), settings);
+    session.draw();
+    session.settings() = before;
+    return session.renderer().readRadiance();
+}
+
+/// What the numbers of a view are, and which range its colours cover.
+struct ViewScale {
+    const char* unit;
+    double from;
+    double to;
+};
+
+void writeView(const render::FloatImage& view, const ViewScale& scale, const std::string& file) {
+    makeFolderOf(file);
+    if (std::filesystem::path(file).extension() == ".exr") {
+        writeImage(view, file);
+    } else {
+        writeImage(falseColor(view, scale.from, scale.to), file);
+    }
+    fmt::print(stderr, "{}: {}; colours from {:g} (dark) to {:g} (bright)\n", scale.unit, viewSummary(view),
+               scale.from, scale.to);
+}
+
+void writeErrorView(Session& session, const std::string& file) {
+    const render::FloatImage picture = session.renderer().readRadiance();
+    render::Settings converged = session.settings();
+    converged.integrator = render::Integrator::kAngle;
+    converged.samples = 1024;
+    writeView(errorView(picture, drawnWith(session, converged)), {"error relative to the light", 1e-4, 1e-1},
+              file);
+}
+
+void writeCostView(Session& session, const std::string& file) {
+    render::Settings counting = session.settings();
+    counting.countsIntegrals = true;
+    writeView(drawnWith(session, counting), {"integrals of a beam per pixel", 0.05, 50.0}, file);
+}
+
+void writeFrame(Session& session, const RenderOptions& options, const std::string& file) {
+    if (options.view == "error") {
+        writeErrorView(session, file);
+    } else if (options.view == "cost") {
+        writeCostView(session, file);
+    } else {
+        writePicture(session.renderer(), file);
+    }
+    fmt::print("{}\n", file);
+}
+
 void renderStill(Session& session, const RenderOptions& options) {
     session.draw();
-    writePicture(session.renderer(), options.out);
-    fmt::print("{}\n", options.out);
+    writeFrame(session, options, options.out);
 }
 
 /// Draws frame after frame, 1/fps apart, and gives each to `take(index)`.
@@ -116,11 +170,8 @@ void renderFilm(Session& session, const RenderOptions& options) {
 }
 
 void renderNumbered(Session& session, const RenderOptions& options) {
-    renderFrames(session, options, [&](int index) {
-        const std::filesystem::path file = numberedFile(options.out, index);
-        writePicture(session.renderer(), file);
-        fmt::print("{}\n", file.string());
-    });
+    renderFrames(session, options,
+                 [&](int index) { writeFrame(session, options, numberedFile(options.out, index).string()); });
 }
 
 void renderAsAsked(Session& session, const RenderOptions& options) {
@@ -134,6 +185,11 @@ void renderAsAsked(Session& session, const RenderOptions& options) {
 }
 
 int runRender(RenderOptions options) {
+    if (options.view != "light" && outputKind(options.out) == OutputKind::kFilm) {
+        fmt::print(stderr, "hazer: --view {} is a picture; give --out a name that ends in .png or .exr\n",
+                   options.view);
+        return kExitUsage;
+    }
     Show show = loadShow(options.show);
     // A film needs a length; a still has none.
     if (outputKind(options.out) == OutputKind::kFilm && options.seconds == 0.0) options.seconds = 10.0;
@@ -161,6 +217,12 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--samples", options.samples, "Samples of the integrator, 1..4096; its own unless given")
         ->check(CLI::Range(1, 4096));
+    command
+        .add_option(
+            "--view", options.view,
+            "light; or error, how far each pixel is from a converged picture; or cost, how many beams "
+            "were integrated for it")
+        ->check(CLI::IsMember({"light", "error", "cost"}));
     command.add_flag("--no-bloom", options.hasNoBloom, "Without the glow around bright light");
 }
 

@@ -128,6 +128,21 @@ void AirGrid::refine(AirPass& air, const LightInputs& in) {
     air.draw(in, thin_);
 }
 
+void AirGrid::count(AirPass& air, const LightInputs& in, int step) {
+    glBindFramebuffer(GL_FRAMEBUFFER, pictureTarget_.id());
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    glDepthRange(0.5, 0.5);
+    air.count(in, wide_, 1.0f);
+    glDepthFunc(GL_GREATER);
+    air.count(in, wide_, 1.0f / static_cast<float>(step * step));
+    glDepthFunc(GL_LESS);
+    glDepthRange(0.0, 1.0);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_DEPTH_TEST);
+    air.count(in, thin_, 1.0f);
+}
+
 void AirGrid::draw(AirPass& air, const LightInputs& in, GLuint radiance, int step) {
     allocate(in.settings, radiance, step);
     splitBeams(in, step);

@@ -16,6 +16,10 @@ class AirGrid {
     /// looked at; `step` >= 2 is the distance of the grid's nodes in pixels.
     void draw(AirPass& air, const LightInputs& in, GLuint radiance, int step);
 
+    /// Adds to the bound picture how many integrals each pixel took in the last draw(): those of a node are
+    /// shared out among the pixels around it.
+    void count(AirPass& air, const LightInputs& in, int step);
+
  private:
     void allocate(const Settings& settings, GLuint radiance, int step);
     void splitBeams(const LightInputs& in, int step);

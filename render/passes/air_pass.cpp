@@ -73,14 +73,24 @@ void AirPass::drawHulls(const LightInputs& in, const std::vector<BeamGroup>& gro
 }
 
 void AirPass::draw(const LightInputs& in, const std::vector<BeamGroup>& groups) {
+    drawWith(in, groups, 0, 0.0f);
+}
+
+void AirPass::count(const LightInputs& in, const std::vector<BeamGroup>& groups, float countedAs) {
+    drawWith(in, groups, kFeatureCount, countedAs);
+}
+
+void AirPass::drawWith(const LightInputs& in, const std::vector<BeamGroup>& groups, LightFeatures further,
+                       float countedAs) {
     batch_.upload(groups, in.beams);
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        const LightFeatures features = groups[i].features;
+        const LightFeatures features = groups[i].features | further;
         const gl::Program& program = variant(features);
         program.use();
         setLightUniforms(program, in);
         setHaze(program, in, features);
         if ((features & kFeatureNoise) != 0) setNoise(program, in);
+        program.set("countedAs", countedAs);
         batch_.drawHulls(i);
     }
 }

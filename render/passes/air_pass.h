@@ -15,10 +15,15 @@ class AirPass {
     /// Adds the beams of `groups`, of the plan's air groups or parts of them, to the bound framebuffer.
     void draw(const LightInputs& in, const std::vector<BeamGroup>& groups);
 
+    /// Adds `countedAs` for each beam of `groups` that lights the haze along a pixel's ray.
+    void count(const LightInputs& in, const std::vector<BeamGroup>& groups, float countedAs);
+
     /// Draws the hulls of `groups` with the current program.
     void drawHulls(const LightInputs& in, const std::vector<BeamGroup>& groups);
 
  private:
+    void drawWith(const LightInputs& in, const std::vector<BeamGroup>& groups, LightFeatures further,
+                  float countedAs);
     const gl::Program& variant(LightFeatures features);
     void setHaze(const gl::Program& program, const LightInputs& in, LightFeatures features);
     void setNoise(const gl::Program& program, const LightInputs& in);

@@ -48,6 +48,26 @@ TEST_F(RenderTest, writesTheLightOfTheScene) {
     EXPECT_GT(brightest(image), 10.0);
 }
 
+// The error of an empty, dark haze is none; that of a lit one is small but there.
+TEST_F(RenderTest, writesErrorAndCostInsteadOfLight) {
+    for (const std::string view : {"error", "cost"}) {
+        const std::string dark = fileIn("dark.exr");
+        ASSERT_EQ(render(kOneSpot, {"--view", view, "--out", dark}).exitCode, 0);
+        EXPECT_EQ(brightest(render::readFloatImage(dark)), 0.0) << view;
+        const std::string lit = fileIn("lit.exr");
+        const test::ProcessResult result =
+            render(kOneSpot, {"--set", "spot1.Dimmer=1", "--view", view, "--out", lit});
+        ASSERT_EQ(result.exitCode, 0) << result.errors;
+        EXPECT_THAT(result.errors, HasSubstr("99 % within"));
+        EXPECT_GT(brightest(render::readFloatImage(lit)), 0.0) << view;
+        EXPECT_LT(brightest(render::readFloatImage(lit)), view == "error" ? 0.5 : 1.01);
+    }
+}
+
+TEST_F(RenderTest, refusesAFilmOfAView) {
+    EXPECT_EQ(render(kOneSpot, {"--view", "cost", "--out", fileIn("a.mp4")}).exitCode, 1);
+}
+
 TEST_F(RenderTest, writesNumberedFrames) {
     const test::ProcessResult result =
         render(kOneSpot, {"--seconds", "0.12", "--fps", "25", "--out", fileIn("frame_%04d.png")});

@@ -110,5 +110,22 @@ TEST_F(AirGridGl, TwoBeamsThatOverlap) {
     expectNothingLost(scene, kSide);
 }
 
+TEST_F(AirGridGl, CountsWhatEachPixelTook) {
+    render::Settings settings;
+    settings.countsIntegrals = true;
+    settings.airStep = 1;
+    Scene scene = lampInHaze(25.0, 0.08);
+    scene.beams.push_back(scene.beams.front());
+    const FloatImage everyPixel = draw(scene, kSide, kWidth, kHeight, settings);
+    EXPECT_NEAR(*std::max_element(everyPixel.rgb.begin(), everyPixel.rgb.end()), 2.0f, 1e-4f);
+    EXPECT_EQ(everyPixel.at(0, 0)[1], 0.0f);
+    settings.airStep = 4;
+    const FloatImage onGrid = draw(scene, kSide, kWidth, kHeight, settings);
+    EXPECT_NEAR(*std::max_element(onGrid.rgb.begin(), onGrid.rgb.end()), 2.0f, 1e-4f);
+    const auto isShared = [](float count) { return std::abs(count - 2.0f / 16.0f) < 1e-4f; };
+    EXPECT_GT(std::count_if(onGrid.rgb.begin(), onGrid.rgb.end(), isShared), 100);
+    EXPECT_LT(sum(onGrid), sum(everyPixel));
+}
+
 }  // namespace
 }  // namespace hazer::test
