@@ -15,18 +15,18 @@ namespace {
 
 constexpr std::size_t kMostPictureBytes = 16u * 1024u * 1024u;
 
-render::GoboId addGobo(const std::filesystem::path& file, render::Renderer& renderer) {
+render::GoboId addGobo(const std::filesystem::path& file, render::AssetSink& assets) {
     if (std::filesystem::is_directory(file)) {
         throw fixtures::ParseError(fmt::format("{}: is a folder; name the picture in it", file.string()));
     }
     const fixtures::Bytes bytes = fixtures::readFile(file, kMostPictureBytes);
     const fixtures::WheelImage image = fixtures::decodeWheelImage(bytes, file.string());
-    return renderer.addGobo(image.rgba.data(), image.width, image.height);
+    return assets.addGobo(image.rgba.data(), image.width, image.height);
 }
 
 }  // namespace
 
-std::vector<render::Beam> lightBeams(const Show& show, render::Renderer& renderer) {
+std::vector<render::Beam> lightBeams(const Show& show, render::AssetSink& assets) {
     std::map<std::filesystem::path, render::GoboId> gobos;
     std::vector<render::Beam> beams;
     for (const ShowLight& light : show.lights) {
@@ -34,7 +34,7 @@ std::vector<render::Beam> lightBeams(const Show& show, render::Renderer& rendere
         if (light.goboFile.empty()) continue;
         try {
             const auto [gobo, isNew] = gobos.try_emplace(light.goboFile, -1);
-            if (isNew) gobo->second = addGobo(light.goboFile, renderer);
+            if (isNew) gobo->second = addGobo(light.goboFile, assets);
             beam.gobo = gobo->second;
         } catch (const fixtures::ParseError& error) {
             failInShow(show.file, light.line, error.what());

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "app/show.h"
-#include "render/renderer.h"
+#include "render/asset_sink.h"
 #include "render/scene.h"
 
 namespace hazer::app {
 
-/// One beam for each light, in the show's order. Gives their pictures to the renderer, each file once. Throws
+/// One beam for each light, in the show's order. Gives their pictures to `assets`, each file once. Throws
 /// ShowError if one cannot be read.
-std::vector<render::Beam> lightBeams(const Show& show, render::Renderer& renderer);
+std::vector<render::Beam> lightBeams(const Show& show, render::AssetSink& assets);
 
 }  // namespace hazer::app

@@ -85,7 +85,7 @@ std::optional<render::Beam> beamFromState(const fixtures::BeamState& state) {
     return beam;
 }
 
-Rig::Rig(render::Renderer& renderer) : renderer_(renderer) {}
+Rig::Rig(render::AssetSink& assets) : assets_(assets) {}
 
 void Rig::append(const fixtures::FixtureState& state, render::Scene& scene) {
     for (const fixtures::BeamState& lamp : state.beams) {
@@ -114,7 +114,7 @@ void Rig::appendPart(const fixtures::PartState& part, render::Scene& scene) {
 render::GoboId Rig::goboFor(const std::shared_ptr<const fixtures::WheelImage>& image) {
     const auto known = gobos_.find(image);
     if (known != gobos_.end()) return known->second;
-    const render::GoboId id = renderer_.addGobo(image->rgba.data(), image->width, image->height);
+    const render::GoboId id = assets_.addGobo(image->rgba.data(), image->width, image->height);
     gobos_.emplace(image, id);
     return id;
 }
@@ -122,7 +122,7 @@ render::GoboId Rig::goboFor(const std::shared_ptr<const fixtures::WheelImage>& i
 render::MeshId Rig::meshFor(fixtures::PrimitiveType primitive) {
     const auto known = meshes_.find(primitive);
     if (known != meshes_.end()) return known->second;
-    const render::MeshId id = renderer_.addMesh(shapeOf(primitive));
+    const render::MeshId id = assets_.addMesh(shapeOf(primitive));
     meshes_.emplace(primitive, id);
     return id;
 }

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "fixtures/fixture.h"
-#include "render/renderer.h"
+#include "render/asset_sink.h"
 #include "render/scene.h"
 
 namespace hazer::app {
@@ -19,11 +19,11 @@ std::optional<render::Beam> beamFromState(const fixtures::BeamState& state);
 /// far).
 double focusDistanceM(double focus);
 
-/// Turns fixture states into beams and bodies. Holds the gobos and meshes that it has given to the renderer,
-/// each once. The renderer must outlive it.
+/// Turns fixture states into beams and bodies. Holds the gobos and meshes that it has given to `assets`,
+/// each once. They must outlive it.
 class Rig {
  public:
-    explicit Rig(render::Renderer& renderer);
+    explicit Rig(render::AssetSink& assets);
 
     /// Adds a fixture's beams and body to the scene.
     void append(const fixtures::FixtureState& state, render::Scene& scene);
@@ -33,7 +33,7 @@ class Rig {
     render::GoboId goboFor(const std::shared_ptr<const fixtures::WheelImage>& image);
     render::MeshId meshFor(fixtures::PrimitiveType primitive);
 
-    render::Renderer& renderer_;
+    render::AssetSink& assets_;
     std::map<std::shared_ptr<const fixtures::WheelImage>, render::GoboId> gobos_;
     std::map<fixtures::PrimitiveType, render::MeshId> meshes_;
 };

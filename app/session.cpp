@@ -5,7 +5,6 @@
 #include <chrono>
 #include <utility>
 
-#include "app/bare_light.h"
 #include "app/paths.h"
 
 namespace hazer::app {
@@ -24,14 +23,6 @@ std::vector<std::uint16_t> portAddressesOf(const Patch& patch) {
     return portAddresses;
 }
 
-SceneControls controlsOf(const Show& show) {
-    SceneControls controls;
-    controls.haze = show.haze;
-    controls.ambient = show.ambient;
-    controls.backgroundCdPerM2 = show.backgroundCdPerM2;
-    return controls;
-}
-
 render::Settings settingsOf(const Show& show) {
     render::Settings settings;
     settings.exposureEv100 = show.exposureEv100;
@@ -44,9 +35,7 @@ Session::Session(Show show, const SessionOptions& options)
     : show_(std::move(show)),
       patch_(show_),
       renderer_(shaderFolder()),
-      rig_(renderer_),
-      dressing_(dressSet(show_, renderer_)),
-      lights_(lightBeams(show_, renderer_)),
+      staging_(show_, renderer_),
       controls_(controlsOf(show_)),
       camera_(show_.cameras.front().camera),
       settings_(settingsOf(show_)) {
@@ -85,20 +74,7 @@ void Session::draw() {
 }
 
 render::Scene Session::scene() {
-    render::Scene scene;
-    scene.beams = lights_;
-    scene.haze = controls_.haze;
-    scene.ambient = controls_.ambient;
-    scene.backgroundCdPerM2 = controls_.backgroundCdPerM2;
-    scene.timeS = timeS_;
-    for (const DressedObject& object : dressing_) {
-        if (object.isFurther && !controls_.furtherObjects) continue;
-        render::MeshInstance& instance = scene.instances.emplace_back(object.instance);
-        instance.material.specular = controls_.specular.value_or(instance.material.specular);
-        instance.material.shininess = controls_.shininess.value_or(instance.material.shininess);
-    }
-    for (const PatchedFixture& patched : patch_.fixtures()) rig_.append(patched.fixture.state(), scene);
-    return scene;
+    return staging_.scene(patch_, controls_, timeS_);
 }
 
 protocol::ReceiverCounters Session::counters() const {

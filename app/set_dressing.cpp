@@ -97,12 +97,12 @@ glm::dmat4 worldFromMesh(const ShowObject& object) {
     return worldFromPlaced(object.positionM, object.rotationDeg) * placedFromMesh(object);
 }
 
-SetDressing dressSet(const Show& show, render::Renderer& renderer) {
+SetDressing dressSet(const Show& show, render::AssetSink& assets) {
     std::map<std::string, render::MeshId> meshes;
     SetDressing dressing;
     for (const ShowObject& object : show.objects) {
         const auto [mesh, isNew] = meshes.try_emplace(meshKey(object), -1);
-        if (isNew) mesh->second = renderer.addMesh(makeMeshOf(show, object));
+        if (isNew) mesh->second = assets.addMesh(makeMeshOf(show, object));
         dressing.push_back(
             {{mesh->second, worldFromMesh(object), object.material, object.castsShadow}, object.isFurther});
     }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "render/asset_sink.h"
 #include "render/ies_web.h"
 #include "render/image.h"
 #include "render/mesh.h"
@@ -21,21 +22,16 @@ struct PassTime {
 /// Draws scenes with the current OpenGL context, which must be 4.1 core or later and stay current. Owns all
 /// its GL names. Throws RenderError if a shader is missing or does not compile, NoGlError if the context is
 /// too old.
-class Renderer {
+class Renderer : public AssetSink {
  public:
     explicit Renderer(std::filesystem::path shaderFolder);
-    ~Renderer();
+    ~Renderer() override;
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    MeshId addMesh(const Mesh& mesh);
-
-    /// Takes an sRGB RGBA picture, row 0 on top: transmission = linear RGB x alpha. The inscribed circle of
-    /// the picture is the field of the beam. Pictures of any size; they are resampled to 512 x 512.
-    GoboId addGobo(const std::uint8_t* rgba, int width, int height);
-
-    /// Takes a photometric web, for beams that have it as their `web`.
-    WebId addWeb(const IesWeb& web);
+    MeshId addMesh(const Mesh& mesh) override;
+    GoboId addGobo(const std::uint8_t* rgba, int width, int height) override;
+    WebId addWeb(const IesWeb& web) override;
 
     /// Draws a frame into the renderer's own targets.
     void render(const Scene& scene, const Camera& camera, const Settings& settings);
