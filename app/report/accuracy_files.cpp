@@ -9,6 +9,7 @@
 #include "app/report/accuracy_markdown.h"
 #include "app/report/accuracy_tables.h"
 #include "app/report/error_plot.h"
+#include "app/report/integrator_settings.h"
 #include "app/report/text_file.h"
 
 namespace hazer::app {
@@ -19,7 +20,8 @@ std::string accuracyPlot(const AccuracyScene& scene) {
         auto line = std::find_if(lines.begin(), lines.end(),
                                  [&](const PlotLine& other) { return other.name == row.integrator; });
         if (line == lines.end()) line = lines.insert(lines.end(), {row.integrator, {}});
-        line->points.push_back({row.msMedian, row.error.rmsRel, row.setting});
+        const std::string label = row.samples > 0 ? fmt::format("{}", row.samples) : row.setting;
+        line->points.push_back({row.msMedian, row.error.rmsRel, label, row.setting == kOwnSetting});
     }
     return errorPlot(scene.title, lines);
 }

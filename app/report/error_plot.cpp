@@ -16,12 +16,12 @@ constexpr double kLetterWidth = 6.4, kLetterHeight = 13.0;
 
 constexpr const char* kStyle =
     "<style>\n"
-    "svg{background:#fff;font:12px system-ui,sans-serif}\n"
+    "svg{font:12px system-ui,sans-serif}.ground{fill:#fff}\n"
     "text{fill:#333}.title{font-size:15px;font-weight:600}.grid{stroke:#ddd}.axis{stroke:#888}\n"
     ".line{fill:none;stroke-width:2}.c0{stroke:#c2410c}.c1{stroke:#1d5fc4}.c2{stroke:#15803d}.c3{stroke:"
     "#7c3aed}\n"
     ".t0{fill:#c2410c}.t1{fill:#1d5fc4}.t2{fill:#15803d}.t3{fill:#7c3aed}.name{font-weight:600}\n"
-    "@media(prefers-color-scheme:dark){svg{background:#16181c}text{fill:#ddd}.grid{stroke:#333}.axis{stroke:"
+    "@media(prefers-color-scheme:dark){.ground{fill:#16181c}text{fill:#ddd}.grid{stroke:#333}.axis{stroke:"
     "#888}\n"
     ".c0{stroke:#ff9d66}.c1{stroke:#7db1ff}.c2{stroke:#71d18f}.c3{stroke:#c3a8ff}\n"
     ".t0{fill:#ff9d66}.t1{fill:#7db1ff}.t2{fill:#71d18f}.t3{fill:#c3a8ff}}\n"
@@ -82,7 +82,7 @@ class Plot {
     void addGrid();
     void addLine(const PlotLine& line, std::size_t color);
     void addName(const PlotLine& line, std::size_t color);
-    void addLabels(const PlotLine& line, std::size_t color);
+    void addLabels(const PlotLine& line, std::size_t color, bool ofMainPoints);
     const std::string& text() const { return text_; }
 
  private:
@@ -123,7 +123,8 @@ void Plot::addLine(const PlotLine& line, std::size_t color) {
         const double x = time_.px(point.ms);
         const double y = error_.px(point.error);
         path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', x, y);
-        dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" class=\"t{}\"/>\n", x, y, color);
+        dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" class=\"t{}\"/>\n", x, y,
+                            point.isMain ? 6 : 3, color);
     }
     if (path.empty()) return;
     text_ += fmt::format("<path d=\"{}\" class=\"line c{}\"/>\n{}", path, color, dots);
@@ -144,8 +145,9 @@ void Plot::addName(const PlotLine& line, std::size_t color) {
               line.name);
 }
 
-void Plot::addLabels(const PlotLine& line, std::size_t color) {
+void Plot::addLabels(const PlotLine& line, std::size_t color, bool ofMainPoints) {
     for (const PlotPoint& point : line.points) {
+        if (point.isMain != ofMainPoints) continue;
         addIfFree(time_.px(point.ms) + 6.0, error_.px(point.error) - 6.0, fmt::format("t{}", color),
                   point.label);
     }
@@ -180,14 +182,18 @@ std::string errorPlot(const std::string& title, const std::vector<PlotLine>& lin
     plot.addGrid();
     for (std::size_t i = 0; i < drawn.size(); ++i) plot.addLine(drawn[i], i);
     for (std::size_t i = 0; i < drawn.size(); ++i) plot.addName(drawn[i], i);
-    for (std::size_t i = 0; i < drawn.size(); ++i) plot.addLabels(drawn[i], i);
+    for (const bool ofMainPoints : {true, false}) {
+        for (std::size_t i = 0; i < drawn.size(); ++i) plot.addLabels(drawn[i], i, ofMainPoints);
+    }
     return fmt::format(
                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" width=\"{:.0f}\" "
                "height=\"{:.0f}\" role=\"img\">\n<title>{}</title>\n",
                kWidth, kHeight, kWidth, kHeight, escaped(title)) +
-           kStyle + textAt(kLeft, 28.0, "title", title) + plot.text() +
+           kStyle +
+           fmt::format("<rect width=\"{:.0f}\" height=\"{:.0f}\" class=\"ground\"/>\n", kWidth, kHeight) +
+           textAt(kLeft, 28.0, "title", title) + plot.text() +
            textAt(kLeft, kHeight - 16.0, "axis-title",
-                  "rms error against the time of the light in the air, a frame") +
+                  "rms error against the time of the light in the air of one frame") +
            "</svg>\n";
 }
 

@@ -7,9 +7,10 @@
 namespace hazer::app {
 
 struct PlotPoint {
-    double ms = 0.0;     ///< Above 0.
-    double error = 0.0;  ///< A share; what is below 1e-7 is drawn there.
-    std::string label;   ///< Beside the point; left out where there is no room.
+    double ms = 0.0;      ///< Above 0.
+    double error = 0.0;   ///< A share; what is below 1e-7 is drawn there.
+    std::string label;    ///< Beside the point; left out where there is no room.
+    bool isMain = false;  ///< Drawn larger, and its label is the last to be left out.
 };
 
 struct PlotLine {
