@@ -8,6 +8,7 @@
 
 #include "render/error.h"
 #include "render/gl/debug_output.h"
+#include "render/gl/inventory.h"
 #include "render/gl/pass_timer.h"
 #include "render/gl/texture.h"
 #include "render/gobo_store.h"
@@ -45,12 +46,6 @@ glm::vec3 rec709FromRec2020(const glm::vec3& c) {
 /// Row y of a picture that GL hands over from the bottom up.
 std::size_t flippedRow(int y, int height, int width) {
     return 3 * static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width);
-}
-
-/// The thesis' integrator and a given number of samples are drawn as they are, for comparison.
-int airStep(const Settings& settings) {
-    if (settings.integrator == Integrator::kUniform || settings.samples > 0) return 1;
-    return settings.airStep > 0 ? settings.airStep : 1;
 }
 
 std::vector<PassTime> named(const std::vector<std::pair<std::string, double>>& passes) {
@@ -203,9 +198,15 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     glBindFramebuffer(GL_FRAMEBUFFER, r.radianceTarget.id());
     r.pass("ambient", [&] { r.ambient.draw(scene, r.surfaces); });
     const std::vector<GpuBeam> beams = packBeams(scene, plan, camera);
-    const LightInputs lights{scene,           camera, settings,          plan,
-                             r.surfaces,      beams,  r.gobos.texture(), r.shadows.texture(),
-                             r.webs.texture()};
+    const LightInputs lights{scene,
+                             camera,
+                             settings,
+                             plan,
+                             r.surfaces,
+                             beams,
+                             usesFeature(plan, kFeatureGobo) ? r.gobos.texture() : 0,
+                             r.shadows.texture(),
+                             usesFeature(plan, kFeatureWeb) ? r.webs.texture() : 0};
     if (!plan.surfaceGroups.empty()) r.pass("lit surfaces", [&] { r.litSurfaces.draw(lights); });
     if (!plan.airGroups.empty()) r.pass("beams", [&] { r.drawAir(lights); });
     if (!plan.lenses.empty()) r.pass("lenses", [&] { r.lenses.draw(lights); });
@@ -265,6 +266,28 @@ std::vector<PassTime> Renderer::passTimes() const {
 
 std::vector<PassTime> Renderer::lastPassTimes() const {
     return named(impl_->timer.last());
+}
+
+Resources Renderer::resources() const {
+    const Impl& r = *impl_;
+    Resources all;
+    gl::listTexture(all, "radiance", GL_TEXTURE_2D, r.radiance);
+    gl::listTexture(all, "tone mapped", GL_TEXTURE_2D, r.toneMapped);
+    gl::listTexture(all, "display", GL_TEXTURE_2D, r.display);
+    r.meshes.list(all);
+    r.gobos.list(all);
+    r.webs.list(all);
+    r.surfaces.list(all);
+    r.shadows.list(all);
+    r.ambient.list(all);
+    r.air.list(all);
+    r.airGrid.list(all);
+    r.litSurfaces.list(all);
+    r.lenses.list(all);
+    r.bloom.list(all);
+    r.toneMap.list(all);
+    r.antialias.list(all);
+    return all;
 }
 
 Mesh Renderer::readMesh(MeshId mesh) const {

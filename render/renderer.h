@@ -9,6 +9,7 @@
 #include "render/ies_web.h"
 #include "render/image.h"
 #include "render/mesh.h"
+#include "render/resources.h"
 #include "render/scene.h"
 
 namespace hazer::render {
@@ -50,6 +51,9 @@ class Renderer : public AssetSink {
 
     /// The same of the last frame; waits until it has been drawn.
     std::vector<PassTime> lastPassTimes() const;
+
+    /// Everything that exists on the GPU for this renderer at the moment.
+    Resources resources() const;
 
     /// A mesh as it was added, and what a gobo lets through (kGoboSize^2 RGBA bytes, linear, row 0 on top):
     /// for whoever checks the pictures.

@@ -101,6 +101,17 @@ std::vector<LightFeatures> allSurfaceVariants() {
     return variantsWithout(kAirOnly);
 }
 
+bool usesFeature(const ScenePlan& plan, LightFeature feature) {
+    const auto needs = [feature](const BeamGroup& group) { return (group.features & feature) != 0; };
+    return std::ranges::any_of(plan.airGroups, needs) || std::ranges::any_of(plan.surfaceGroups, needs) ||
+           std::ranges::any_of(plan.lenses, needs);
+}
+
+int airStep(const Settings& settings) {
+    if (settings.integrator == Integrator::kUniform || settings.samples > 0) return 1;
+    return settings.airStep > 0 ? settings.airStep : 1;
+}
+
 ScenePlan planScene(const Scene& scene, const Settings& settings, std::span<const BoundingSphere> meshBounds,
                     std::span<const IesWeb> webs) {
     ScenePlan plan;

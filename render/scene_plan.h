@@ -50,6 +50,13 @@ struct ScenePlan {
     int shadowMapSize = 0;                  ///< Texels along an edge; 0: none.
 };
 
+/// Is there a group of beams in the air, on surfaces or among the lenses that needs this feature?
+bool usesFeature(const ScenePlan& plan, LightFeature feature);
+
+/// Pixels between the nodes of the coarse grid of the air, see Settings::airStep; 1: there is no grid. The
+/// thesis' integrator and a given number of samples are drawn as they are, for comparison.
+int airStep(const Settings& settings);
+
 /// `meshBounds[i]` is the bounding sphere of MeshId i in its own space, `webs[i]` what WebId i stands for.
 ScenePlan planScene(const Scene& scene, const Settings& settings, std::span<const BoundingSphere> meshBounds,
                     std::span<const IesWeb> webs = {});

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "render/beam_width.h"
+#include "render/gl/inventory.h"
 #include "render/gl/texture.h"
 
 namespace hazer::render {
@@ -62,14 +63,15 @@ void AirGrid::drawNodes(AirPass& air, LightInputs in, int step) {
 
 void AirGrid::judge(const LightInputs& in, int step) {
     glBindFramebuffer(GL_FRAMEBUFFER, judgeTarget_.id());
-    judge_.use();
+    const gl::Program& judge = judge_.get();
+    judge.use();
     gl::bindTexture(0, GL_TEXTURE_2D, nodes_.id());
     glGenerateMipmap(GL_TEXTURE_2D);
     gl::bindTexture(1, GL_TEXTURE_2D, in.surfaces.geometry());
-    judge_.set("nodes", 0);
-    judge_.set("geometryBuffer", 1);
-    judge_.set("nodeStep", step);
-    judge_.set("tolerance", kTolerance);
+    judge.set("nodes", 0);
+    judge.set("geometryBuffer", 1);
+    judge.set("nodeStep", step);
+    judge.set("tolerance", kTolerance);
     glBindVertexArray(noVertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -110,11 +112,12 @@ void AirGrid::interpolate(AirPass& air, const LightInputs& in, int step) {
     // Every fragment has one depth, whatever its shape: the depth buffer is a mask here. Where beams overlap,
     // the first one's hull does it for all.
     glDepthRange(0.0, 0.0);
-    interpolate_.use();
-    setLightUniforms(interpolate_, in);
+    const gl::Program& interpolate = interpolate_.get();
+    interpolate.use();
+    setLightUniforms(interpolate, in);
     gl::bindTexture(kNodeUnit, GL_TEXTURE_2D, judged_.id());
-    interpolate_.set("judgedNodes", kNodeUnit);
-    interpolate_.set("nodeStep", step);
+    interpolate.set("judgedNodes", kNodeUnit);
+    interpolate.set("nodeStep", step);
     air.drawHulls(in, wide_);
 }
 
@@ -153,6 +156,14 @@ void AirGrid::draw(AirPass& air, const LightInputs& in, GLuint radiance, int ste
     markLenses(in, step);
     interpolate(air, in, step);
     refine(air, in);
+}
+
+void AirGrid::list(Resources& resources) const {
+    gl::listProgram(resources, judge_);
+    gl::listProgram(resources, interpolate_);
+    gl::listTexture(resources, "grid nodes", GL_TEXTURE_2D, nodes_);
+    gl::listTexture(resources, "judged grid nodes", GL_TEXTURE_2D, judged_);
+    gl::listTexture(resources, "grid mask", GL_TEXTURE_2D, done_);
 }
 
 }  // namespace hazer::render

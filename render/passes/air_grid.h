@@ -20,6 +20,9 @@ class AirGrid {
     /// shared out among the pixels around it.
     void count(AirPass& air, const LightInputs& in, int step);
 
+    /// Adds what there is on the GPU.
+    void list(Resources& resources) const;
+
  private:
     void allocate(const Settings& settings, GLuint radiance, int step);
     void splitBeams(const LightInputs& in, int step);
@@ -31,8 +34,8 @@ class AirGrid {
 
     std::vector<BeamGroup> wide_;  ///< Beams that the grid cannot miss.
     std::vector<BeamGroup> thin_;  ///< The others; these are integrated at every pixel.
-    gl::Program judge_;
-    gl::Program interpolate_;
+    gl::LazyProgram judge_;
+    gl::LazyProgram interpolate_;
     gl::VertexArray noVertices_ = gl::makeVertexArray();
     gl::Texture nodes_, judged_;
     gl::Texture done_;  ///< Depth: 0 where a pixel has its light, 1 where it needs the integral.

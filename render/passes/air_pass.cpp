@@ -1,6 +1,7 @@
 #include "render/passes/air_pass.h"
 
 #include "render/camera.h"
+#include "render/gl/inventory.h"
 #include "render/gl/texture.h"
 #include "render/noise_volume.h"
 
@@ -93,6 +94,12 @@ void AirPass::drawWith(const LightInputs& in, const std::vector<BeamGroup>& grou
         program.set("countedAs", countedAs);
         batch_.drawHulls(i);
     }
+}
+
+void AirPass::list(Resources& resources) const {
+    for (const auto& [features, program] : variants_) gl::listProgram(resources, program);
+    gl::listTexture(resources, "noise", GL_TEXTURE_3D, noise_);
+    batch_.list(resources, "beams in the air");
 }
 
 }  // namespace hazer::render

@@ -21,6 +21,9 @@ class AirPass {
     /// Draws the hulls of `groups` with the current program.
     void drawHulls(const LightInputs& in, const std::vector<BeamGroup>& groups);
 
+    /// Adds what there is on the GPU.
+    void list(Resources& resources) const;
+
  private:
     void drawWith(const LightInputs& in, const std::vector<BeamGroup>& groups, LightFeatures further,
                   float countedAs);
