@@ -11,7 +11,7 @@
 
 #include "app/paths.h"
 #include "render/image.h"
-#include "tests/support/beam_oracle.h"
+#include "render/oracle/single_beam.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -52,9 +52,9 @@ std::string showOf(const Numbers& n) {
 }
 
 /// The beam as the oracle has it, for 1 cd.
-test::OracleBeam beamOf(const Numbers& n) {
+render::oracle::BeamModel beamOf(const Numbers& n) {
     constexpr double kPedestal = 0.005;
-    test::OracleBeam beam;
+    render::oracle::BeamModel beam;
     const double field = n.halfAngleDeg * kPi / 180.0;
     beam.cutHalfAngleRad = beam.beamHalfAngleRad = field;
     beam.apexToLensM = n.lensRadiusM / std::tan(field);
@@ -68,7 +68,7 @@ test::OracleBeam beamOf(const Numbers& n) {
     return beam;
 }
 
-double intensity(const test::OracleBeam& beam, double psi) {
+double intensity(const render::oracle::BeamModel& beam, double psi) {
     if (psi > beam.cutHalfAngleRad) return 0.0;
     if (beam.exponent == 0.0) return 1.0;
     const double gauss = std::pow(0.5, std::pow(psi / beam.beamHalfAngleRad, beam.exponent));
@@ -87,7 +87,7 @@ glm::dvec3 pixelRay(const Numbers& n, int x, int y) {
 
 /// Reflected by the floor z = 0 at `t` metres along the ray: I cos / r^2 * exp(-extinction * way) * albedo /
 /// pi.
-glm::dvec3 floorRadiance(const Numbers& n, const test::OracleBeam& beam, const glm::dvec3& apexM,
+glm::dvec3 floorRadiance(const Numbers& n, const render::oracle::BeamModel& beam, const glm::dvec3& apexM,
                          const glm::dvec3& axis, const glm::dvec3& pointM, double t) {
     const glm::dvec3 way = pointM - apexM;
     const double r = glm::length(way);
@@ -100,8 +100,8 @@ glm::dvec3 floorRadiance(const Numbers& n, const test::OracleBeam& beam, const g
 
 /// What a pixel must hold [cd/m^2].
 glm::dvec3 expected(const Numbers& n, int x, int y) {
-    const test::OracleBeam beam = beamOf(n);
-    const test::OracleHaze haze{n.extinctionPerM, n.scatteringPerM, n.g, 0.0, 1.0};
+    const render::oracle::BeamModel beam = beamOf(n);
+    const render::oracle::HazeModel haze{n.extinctionPerM, n.scatteringPerM, n.g, 0.0, 1.0};
     const glm::dvec3 axis = glm::normalize(n.lampTargetM - n.lampM);
     const glm::dvec3 apexM = n.lampM - axis * beam.apexToLensM;
     const glm::dvec3 side = glm::normalize(glm::cross(axis, glm::dvec3(0.31, 0.94, 0.1)));
@@ -109,8 +109,9 @@ glm::dvec3 expected(const Numbers& n, int x, int y) {
     const glm::dvec3 ray = pixelRay(n, x, y);
     const bool meetsFloor = ray.z < 0.0;
     const double endM = meetsFloor ? -n.eyeM.z / ray.z : 1000.0;
-    glm::dvec3 light(n.candela * test::oracleRadiance(beam, haze, lampFromWorld * (n.eyeM - apexM),
-                                                      lampFromWorld * ray, endM));
+    glm::dvec3 light(n.candela *
+                     render::oracle::airRadiance(
+                         beam, haze, {lampFromWorld * (n.eyeM - apexM), lampFromWorld * ray, endM}));
     if (meetsFloor) light += floorRadiance(n, beam, apexM, axis, n.eyeM + ray * endM, endM);
     return light;
 }

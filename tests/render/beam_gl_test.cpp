@@ -9,9 +9,9 @@
 #include "render/camera.h"
 #include "render/gl/program.h"
 #include "render/glsl_as_cpp.h"
+#include "render/oracle/single_beam.h"
 #include "render/photometry.h"
 #include "render/scene_plan.h"
-#include "tests/support/beam_oracle.h"
 #include "tests/support/gl_test.h"
 
 namespace hazer::test {
@@ -60,13 +60,13 @@ double expectedRadiance(const Scene& scene, const Camera& camera, int x, int y, 
     if (seesLens(beam, camera.positionM, worldDirection, 2.0 * tangent.y / height)) return std::nan("");
     const glm::dvec3 direction = lampFromWorld * worldDirection;
     const glm::dvec3 apex = beam.lensPositionM + beam.worldFromBeam * glm::dvec3(0.0, 0.0, shape.apexToLensM);
-    const OracleBeam oracle{shape.cutHalfAngleRad, shape.beamHalfAngleRad, shape.exponent,
-                            render::glsl::Formulas<double>().PROFILE_CUT, shape.apexToLensM};
+    const render::oracle::BeamModel oracle{shape.cutHalfAngleRad, shape.beamHalfAngleRad, shape.exponent,
+                                           render::glsl::Formulas<double>().PROFILE_CUT, shape.apexToLensM};
     const auto& haze = scene.haze;
-    const OracleHaze medium{haze.extinctionPerM, haze.scatteringPerM, haze.phase.forwardG,
-                            haze.phase.backwardG, haze.phase.forwardWeight};
-    return shape.peakCd *
-           oracleRadiance(oracle, medium, lampFromWorld * (camera.positionM - apex), direction, endM);
+    const render::oracle::HazeModel medium{haze.extinctionPerM, haze.scatteringPerM, haze.phase.forwardG,
+                                           haze.phase.backwardG, haze.phase.forwardWeight};
+    return shape.peakCd * render::oracle::airRadiance(
+                              oracle, medium, {lampFromWorld * (camera.positionM - apex), direction, endM});
 }
 
 /// Compares every pixel with the oracle; `share` of the lit ones must be within `tolerance`, relative.

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "render/glsl_as_cpp.h"
+#include "render/oracle/single_beam.h"
 #include "render/photometry.h"
-#include "tests/support/beam_oracle.h"
 
 namespace hazer::test {
 namespace {
@@ -18,8 +18,8 @@ namespace {
 constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 
 struct Ray {
-    OracleBeam beam;
-    OracleHaze haze;
+    render::oracle::BeamModel beam;
+    render::oracle::HazeModel haze;
     glm::dvec3 eye{0.0};
     glm::dvec3 direction{0.0};
     double endM = 50.0;
@@ -98,7 +98,8 @@ std::vector<double> errors(int count, bool soft, int pieces) {
     std::vector<double> found;
     while (static_cast<int>(found.size()) < count) {
         const Ray ray = randomRay(random, soft);
-        const double expected = oracleRadiance(ray.beam, ray.haze, ray.eye, ray.direction, ray.endM);
+        const double expected =
+            render::oracle::airRadiance(ray.beam, ray.haze, {ray.eye, ray.direction, ray.endM});
         if (expected < 1e-12) continue;
         const double got = radiance<Scalar>(ray, pieces);
         EXPECT_TRUE(std::isfinite(got));
