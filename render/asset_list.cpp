@@ -3,7 +3,7 @@
 namespace hazer::render {
 
 MeshId AssetList::addMesh(const Mesh& mesh) {
-    bounds_.push_back(boundingSphere(mesh));
+    bounds_.push_back({boundingSphere(mesh), boundingBox(mesh)});
     meshBytes_ += mesh.vertices.size() * sizeof(Vertex) + mesh.indices.size() * sizeof(std::uint32_t);
     return static_cast<MeshId>(bounds_.size()) - 1;
 }

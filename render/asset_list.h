@@ -17,7 +17,7 @@ class AssetList : public AssetSink {
     WebId addWeb(const IesWeb& web) override;
 
     /// Indexed by MeshId.
-    std::span<const BoundingSphere> meshBounds() const { return bounds_; }
+    std::span<const MeshBounds> meshBounds() const { return bounds_; }
 
     /// Indexed by WebId.
     std::span<const IesWeb> webs() const { return webs_; }
@@ -26,7 +26,7 @@ class AssetList : public AssetSink {
     std::size_t meshBytes() const { return meshBytes_; }
 
  private:
-    std::vector<BoundingSphere> bounds_;
+    std::vector<MeshBounds> bounds_;
     std::vector<IesWeb> webs_;
     int gobos_ = 0;
     std::size_t meshBytes_ = 0;

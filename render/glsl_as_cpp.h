@@ -26,6 +26,7 @@ struct Formulas {
 #include "shaders/include/beam_ray.glsl"
 #include "shaders/include/gauss_legendre.glsl"
 #include "shaders/include/phase.glsl"
+#include "shaders/include/shadow_frustum.glsl"
     // Needs those above.
 #include "shaders/include/beam_medium.glsl"
     // The hooks of beam_integral.glsl: nothing in the way, even haze.

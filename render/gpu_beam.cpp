@@ -10,8 +10,7 @@ glm::dvec3 apexPosition(const Beam& beam, const BeamShape& shape) {
     return beam.lensPositionM + beam.worldFromBeam * glm::dvec3(0.0, 0.0, shape.apexToLensM);
 }
 
-GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera, int shadowLayer,
-                 const ShadowProjection& shadow, int shadowMapSize) {
+GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera, const BeamShadow& shadow) {
     const glm::dmat3 lampFromWorld = glm::transpose(beam.worldFromBeam);
     const glm::dmat3 viewFromLamp = glm::transpose(lampFromWorld * worldFromView(camera));
     const glm::dvec3 cameraInLamp = lampFromWorld * (camera.positionM - apexPosition(beam, shape));
@@ -27,11 +26,8 @@ GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera,
     gpu.gobo = glm::vec4(glm::dvec4(beam.gobo, std::cos(beam.goboRotationRad) / tanField,
                                     std::sin(beam.goboRotationRad) / tanField,
                                     beam.focusDistanceM > 0.0 ? 1.0 / beam.focusDistanceM : -1.0));
-    if (shadowLayer >= 0) {
-        const double tanShadow = std::tan(shadow.halfAngleRad);
-        gpu.shadow = glm::vec4(glm::dvec4(shadowLayer, 1.0 / tanShadow, shadow.nearM, shadow.farM));
-        gpu.lens.y = static_cast<float>(2.0 * tanShadow / shadowMapSize);
-    }
+    gpu.shadow =
+        glm::vec4(glm::dvec4(shadow.firstFace, shadow.nearestSurfaceM, shadow.farthestSurfaceM, 0.0));
     gpu.lens.x = static_cast<float>(beam.lensRadiusM);
     gpu.lens.z = static_cast<float>(beam.web);
     return gpu;

@@ -23,16 +23,15 @@ static_assert(offsetof(GpuBeam, light) == 48 && offsetof(GpuBeam, lens) == 112);
 /// Where the virtual apex of a beam is, world [m].
 glm::dvec3 apexPosition(const Beam& beam, const BeamShape& shape);
 
-/// How a beam's shadow map looks out of the lamp.
-struct ShadowProjection {
-    double halfAngleRad = 0.0;
-    double nearM = 0.0;  ///< From the virtual apex along the axis.
-    double farM = 0.0;
+/// What the plan of shadows says of a beam.
+struct BeamShadow {
+    int firstFace = -1;            ///< Of its records in ShadowPass::faces(); -1: no map.
+    double nearestSurfaceM = 0.0;  ///< See SurfaceReach.
+    double farthestSurfaceM = 0.0;
 };
 
 /// Packs a beam for a camera. Positions are subtracted in double, so that a stage a kilometre from the origin
-/// loses nothing. shadowLayer < 0: no map; `shadow` is then not used.
-GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera, int shadowLayer,
-                 const ShadowProjection& shadow, int shadowMapSize);
+/// loses nothing.
+GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera, const BeamShadow& shadow);
 
 }  // namespace hazer::render

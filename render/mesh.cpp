@@ -4,16 +4,20 @@
 
 namespace hazer::render {
 
-BoundingSphere boundingSphere(const Mesh& mesh) {
+BoundingBox boundingBox(const Mesh& mesh) {
     if (mesh.vertices.empty()) return {};
-    glm::vec3 lowM = mesh.vertices.front().positionM;
-    glm::vec3 highM = lowM;
+    BoundingBox box{mesh.vertices.front().positionM, mesh.vertices.front().positionM};
     for (const Vertex& vertex : mesh.vertices) {
-        lowM = glm::min(lowM, vertex.positionM);
-        highM = glm::max(highM, vertex.positionM);
+        box.lowM = glm::min(box.lowM, vertex.positionM);
+        box.highM = glm::max(box.highM, vertex.positionM);
     }
+    return box;
+}
+
+BoundingSphere boundingSphere(const Mesh& mesh) {
+    const BoundingBox box = boundingBox(mesh);
     // The middle of the box is at most a factor sqrt(3) from the tightest sphere, and good enough to cull by.
-    BoundingSphere sphere{0.5f * (lowM + highM), 0.0f};
+    BoundingSphere sphere{0.5f * (box.lowM + box.highM), 0.0f};
     for (const Vertex& vertex : mesh.vertices) {
         sphere.radiusM = std::max(sphere.radiusM, glm::distance(sphere.centerM, vertex.positionM));
     }

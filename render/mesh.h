@@ -26,6 +26,19 @@ struct BoundingSphere {
 };
 BoundingSphere boundingSphere(const Mesh& mesh);
 
+/// Box along the axes around all vertices.
+struct BoundingBox {
+    glm::vec3 lowM{0.0f};
+    glm::vec3 highM{0.0f};
+};
+BoundingBox boundingBox(const Mesh& mesh);
+
+/// Both enclose the mesh; what is outside of either is outside of it.
+struct MeshBounds {
+    BoundingSphere sphere;
+    BoundingBox box;
+};
+
 /// Shapes that come with hazer. Unit sizes are meant to be scaled by the instance.
 Mesh makeBox();       ///< Edge 1, centred.
 Mesh makeCylinder();  ///< Diameter 1, height 1, along Z, centred.

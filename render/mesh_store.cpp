@@ -26,7 +26,7 @@ MeshId MeshStore::add(const Mesh& mesh) {
                           reinterpret_cast<const void*>(offsetof(Vertex, normal)));
     glBindVertexArray(0);
     meshes_.push_back(std::move(gpu));
-    bounds_.push_back(boundingSphere(mesh));
+    bounds_.push_back({boundingSphere(mesh), boundingBox(mesh)});
     return static_cast<MeshId>(meshes_.size()) - 1;
 }
 

@@ -24,7 +24,7 @@ class MeshStore {
     void list(Resources& resources) const;
 
     /// Indexed by MeshId.
-    const std::vector<BoundingSphere>& bounds() const { return bounds_; }
+    const std::vector<MeshBounds>& bounds() const { return bounds_; }
 
  private:
     struct GpuMesh {
@@ -35,7 +35,7 @@ class MeshStore {
         std::size_t vertexCount = 0;
     };
     std::vector<GpuMesh> meshes_;
-    std::vector<BoundingSphere> bounds_;
+    std::vector<MeshBounds> bounds_;
 };
 
 }  // namespace hazer::render

@@ -188,7 +188,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     Impl& r = *impl_;
     r.resize(settings.width, settings.height);
     r.exposureEv100 = settings.exposureEv100;
-    const ScenePlan plan = planScene(scene, settings, r.meshes.bounds(), r.webs.webs());
+    const ScenePlan plan = planScene(scene, camera, settings, r.meshes.bounds(), r.webs.webs());
     r.hasBloom = plan.bloom;
     r.timer.beginFrame();
 
@@ -205,7 +205,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
                              r.surfaces,
                              beams,
                              usesFeature(plan, kFeatureGobo) ? r.gobos.texture() : 0,
-                             r.shadows.texture(),
+                             r.shadows.textures(),
                              usesFeature(plan, kFeatureWeb) ? r.webs.texture() : 0};
     if (!plan.surfaceGroups.empty()) r.pass("lit surfaces", [&] { r.litSurfaces.draw(lights); });
     if (!plan.airGroups.empty()) r.pass("beams", [&] { r.drawAir(lights); });

@@ -3,25 +3,33 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <iterator>
 #include <map>
 #include <utility>
+
+#include "render/camera.h"
+#include "render/shadow_atlas.h"
 
 namespace hazer::render {
 namespace {
 
-constexpr std::array<std::pair<LightFeatures, const char*>, 7> kFeatureNames{{{kFeatureFlat, "FLAT_PROFILE"},
-                                                                              {kFeatureGobo, "GOBO"},
-                                                                              {kFeatureShadow, "SHADOW"},
-                                                                              {kFeatureNoise, "NOISE"},
-                                                                              {kFeatureUniform, "UNIFORM"},
-                                                                              {kFeatureWeb, "WEB"},
-                                                                              {kFeatureCount, "COUNT"}}};
+constexpr std::array<std::pair<LightFeatures, const char*>, 8> kFeatureNames{
+    {{kFeatureFlat, "FLAT_PROFILE"},
+     {kFeatureGobo, "GOBO"},
+     {kFeatureShadow, "SHADOW"},
+     {kFeatureNoise, "NOISE"},
+     {kFeatureUniform, "UNIFORM"},
+     {kFeatureWeb, "WEB"},
+     {kFeatureCount, "COUNT"},
+     {kFeatureWide, "SHADOW_FACES"}}};
 
 /// What only the light in the air knows.
 constexpr LightFeatures kAirOnly = kFeatureNoise | kFeatureUniform | kFeatureCount;
 
 bool canBe(LightFeatures features) {
-    return (features & kFeatureFlat) == 0 || (features & kFeatureWeb) == 0;
+    const bool hasTwoProfiles = (features & kFeatureFlat) != 0 && (features & kFeatureWeb) != 0;
+    const bool isWideWithoutShadow = (features & kFeatureWide) != 0 && (features & kFeatureShadow) == 0;
+    return !hasTwoProfiles && !isWideWithoutShadow;
 }
 
 /// Every combination of features without those of `never`.
@@ -40,8 +48,8 @@ BeamShape shapeOf(const Beam& beam, std::span<const IesWeb> webs) {
     return webShape(beam, webs[web]);
 }
 
-/// What a beam needs on a surface.
-LightFeatures featuresOf(const Beam& beam, const BeamShape& shape, bool hasShadow, const Settings& settings) {
+/// What a beam needs on a surface, but for its shadows.
+LightFeatures featuresOf(const Beam& beam, const BeamShape& shape, const Settings& settings) {
     LightFeatures features = 0;
     if (beam.web >= 0) {
         features |= kFeatureWeb;
@@ -49,7 +57,6 @@ LightFeatures featuresOf(const Beam& beam, const BeamShape& shape, bool hasShado
         features |= kFeatureFlat;
     }
     if (beam.gobo >= 0 && settings.gobos) features |= kFeatureGobo;
-    if (hasShadow) features |= kFeatureShadow;
     return features;
 }
 
@@ -83,6 +90,22 @@ std::vector<BeamGroup> groupLenses(const Scene& scene, const std::vector<int>& l
     return groupBeams(seen, features, 0);
 }
 
+/// Fills the plan's part of shadows, and what the beams reach.
+void planShadowsOf(const Scene& scene, const Camera& camera, const Settings& settings,
+                   const std::vector<int>& lit, std::span<const MeshBounds> meshBounds, ScenePlan& plan) {
+    const double pixelRad = 2.0 * viewTangent(camera, 1.0).y / settings.height;
+    ShadowPlan shadows =
+        planShadows(scene, lit, plan.shapes, meshBounds, {camera.positionM, pixelRad}, settings.shadows);
+    plan.surfaceReach = std::move(shadows.reach);
+    plan.shadowMaps = std::move(shadows.maps);
+    plan.shadowsLeftOut = std::move(shadows.leftOut);
+    std::vector<int> tiles;
+    for (const ShadowMapPlan& map : plan.shadowMaps) {
+        for (const ShadowFacePlan& face : map.faces) tiles.push_back(face.sizeTexels);
+    }
+    plan.shadowAtlasEdge = smallestAtlasEdge(tiles);
+}
+
 }  // namespace
 
 std::vector<std::string> featureDefines(LightFeatures features) {
@@ -112,8 +135,8 @@ int airStep(const Settings& settings) {
     return settings.airStep > 0 ? settings.airStep : 1;
 }
 
-ScenePlan planScene(const Scene& scene, const Settings& settings, std::span<const BoundingSphere> meshBounds,
-                    std::span<const IesWeb> webs) {
+ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& settings,
+                    std::span<const MeshBounds> meshBounds, std::span<const IesWeb> webs) {
     ScenePlan plan;
     std::vector<int> lit;
     for (std::size_t i = 0; i < scene.beams.size(); ++i) {
@@ -127,21 +150,20 @@ ScenePlan planScene(const Scene& scene, const Settings& settings, std::span<cons
     plan.bloom = settings.bloom;
     plan.lenses = groupLenses(scene, lit);
 
-    std::vector<bool> hasShadow(scene.beams.size(), false);
-    if (settings.shadows && (plan.air || plan.surfaces)) {
-        plan.shadowMaps = planShadows(scene, lit, plan.shapes, meshBounds);
-        for (const ShadowMapPlan& map : plan.shadowMaps) hasShadow[static_cast<std::size_t>(map.beam)] = true;
-        // A few lamps get sharp maps; many share the memory.
-        if (!plan.shadowMaps.empty()) plan.shadowMapSize = plan.shadowMaps.size() <= 8 ? 1024 : 512;
-    }
-
     std::vector<LightFeatures> features(scene.beams.size(), 0);
     for (const int beam : lit) {
         const auto index = static_cast<std::size_t>(beam);
-        features[index] = featuresOf(scene.beams[index], plan.shapes[index], hasShadow[index], settings);
+        features[index] = featuresOf(scene.beams[index], plan.shapes[index], settings);
+    }
+    planShadowsOf(scene, camera, settings, lit, meshBounds, plan);
+    for (const ShadowMapPlan& map : plan.shadowMaps) {
+        features[static_cast<std::size_t>(map.beam)] |= kFeatureShadow | (map.isWide ? kFeatureWide : 0u);
     }
     if (plan.air) plan.airGroups = groupBeams(lit, features, airFeatures(scene, settings));
-    if (plan.surfaces) plan.surfaceGroups = groupBeams(lit, features, 0);
+    std::vector<int> onSurfaces;
+    std::copy_if(lit.begin(), lit.end(), std::back_inserter(onSurfaces),
+                 [&](int beam) { return plan.surfaceReach[static_cast<std::size_t>(beam)].has_value(); });
+    plan.surfaceGroups = groupBeams(onSurfaces, features, 0);
     return plan;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ enum LightFeature : std::uint32_t {
     kFeatureUniform = 1u << 4,  ///< The thesis' integrator; in the air only.
     kFeatureWeb = 1u << 5,      ///< A photometric web stands for the profile; never with kFeatureFlat.
     kFeatureCount = 1u << 6,    ///< Counts instead of drawing; in the air only.
+    kFeatureWide = 1u << 7,     ///< Shadow maps all around a wide lamp; only with kFeatureShadow.
 };
 using LightFeatures = std::uint32_t;
 
@@ -45,9 +47,12 @@ struct ScenePlan {
     std::vector<BeamShape> shapes;          ///< One per beam of the scene.
     std::vector<BeamGroup> lenses;          ///< Lit lenses to draw.
     std::vector<BeamGroup> airGroups;       ///< Empty without haze that scatters.
-    std::vector<BeamGroup> surfaceGroups;   ///< Empty without surfaces.
-    std::vector<ShadowMapPlan> shadowMaps;  ///< Layer i of the map array is shadowMaps[i].
-    int shadowMapSize = 0;                  ///< Texels along an edge; 0: none.
+    std::vector<BeamGroup> surfaceGroups;   ///< Only of beams that reach a surface.
+    std::vector<ShadowMapPlan> shadowMaps;  ///< Only of lamps with a caster in the cone.
+    int shadowAtlasEdge = 0;                ///< Texels along both edges of the texture of all maps; 0: none.
+    std::vector<int> shadowsLeftOut;        ///< Beams that shine through their casters, for want of memory.
+    /// One per beam of the scene; none for a beam that lights no surface.
+    std::vector<std::optional<SurfaceReach>> surfaceReach;
 };
 
 /// Is there a group of beams in the air, on surfaces or among the lenses that needs this feature?
@@ -57,8 +62,8 @@ bool usesFeature(const ScenePlan& plan, LightFeature feature);
 /// thesis' integrator and a given number of samples are drawn as they are, for comparison.
 int airStep(const Settings& settings);
 
-/// `meshBounds[i]` is the bounding sphere of MeshId i in its own space, `webs[i]` what WebId i stands for.
-ScenePlan planScene(const Scene& scene, const Settings& settings, std::span<const BoundingSphere> meshBounds,
-                    std::span<const IesWeb> webs = {});
+/// `meshBounds[i]` encloses MeshId i in its own space, `webs[i]` is what WebId i stands for.
+ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& settings,
+                    std::span<const MeshBounds> meshBounds, std::span<const IesWeb> webs = {});
 
 }  // namespace hazer::render

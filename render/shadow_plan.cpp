@@ -1,82 +1,207 @@
 #include "render/shadow_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
+
+#include "render/gpu_beam.h"
+#include "render/shadow_detail.h"
 
 namespace hazer::render {
 namespace {
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
+/// The rim of the lamp's own body casts nothing.
+constexpr double kRimM = 0.01;
+/// Half of a cube's face, and a little more, so that a filter at a seam of two faces finds both sides in
+/// each.
+constexpr double kFaceHalfTangent = 1.05;
+
+/// A body as one lamp sees it.
+struct Body {
+    int instance = 0;
+    glm::dvec3 middleM{0.0};  ///< Of its bounding sphere, lamp space.
+    double radiusM = 0.0;
+};
 
 struct WorldSphere {
-    glm::dvec3 centerM;
+    glm::dvec3 middleM;
     double radiusM;
 };
 
-WorldSphere worldSphere(const MeshInstance& instance, const BoundingSphere& bounds) {
-    const glm::dmat4& m = instance.worldFromMesh;
-    const double scale = std::max(
-        {glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))});
-    return {glm::dvec3(m * glm::dvec4(bounds.centerM, 1.0f)), scale * static_cast<double>(bounds.radiusM)};
-}
-
-/// Cone against sphere; the sphere's reach along the axis comes back in `farM`.
-bool sphereInCone(const WorldSphere& sphere, const Beam& beam, const BeamShape& shape, double& farM) {
-    const glm::dvec3 fromApex = sphere.centerM - apexPosition(beam, shape);
-    const double along = -glm::dot(fromApex, beam.worldFromBeam[2]);
-    farM = along + sphere.radiusM;
-    if (farM < shape.apexToLensM) return false;
-    const double across = std::sqrt(std::max(glm::dot(fromApex, fromApex) - along * along, 0.0));
-    const double outside = std::cos(shape.cutHalfAngleRad) * across - std::sin(shape.cutHalfAngleRad) * along;
-    return outside <= sphere.radiusM;
-}
-
-ShadowMapPlan planShadow(const Scene& scene, int beamIndex, const BeamShape& shape,
-                         const std::vector<WorldSphere>& spheres) {
-    // A single projection cannot look further around than this; what lies outside is lit.
-    constexpr double kWidestRad = 80.0 * kRadPerDeg;
-    const Beam& beam = scene.beams[static_cast<std::size_t>(beamIndex)];
-    ShadowMapPlan plan;
-    plan.beam = beamIndex;
-    // A centimetre past the lens: the rim of the lamp's own body casts nothing.
-    plan.projection = {std::min(shape.cutHalfAngleRad, kWidestRad), shape.apexToLensM + 0.01, 0.0};
-    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-        double farM = 0.0;
-        if (!scene.instances[i].castsShadow || !sphereInCone(spheres[i], beam, shape, farM)) continue;
-        plan.casters.push_back(static_cast<int>(i));
-        plan.projection.farM = std::max(plan.projection.farM, farM);
-    }
-    plan.projection.farM = std::max(plan.projection.farM, plan.projection.nearM * 1.01 + 0.01);
-    return plan;
-}
-
-}  // namespace
-
-std::vector<ShadowMapPlan> planShadows(const Scene& scene, const std::vector<int>& lit,
-                                       const std::vector<BeamShape>& shapes,
-                                       std::span<const BoundingSphere> meshBounds) {
+std::vector<WorldSphere> worldSpheres(const Scene& scene, std::span<const MeshBounds> bounds) {
     std::vector<WorldSphere> spheres;
     spheres.reserve(scene.instances.size());
     for (const MeshInstance& instance : scene.instances) {
-        spheres.push_back(worldSphere(instance, meshBounds[static_cast<std::size_t>(instance.mesh)]));
+        const BoundingSphere& sphere = bounds[static_cast<std::size_t>(instance.mesh)].sphere;
+        const glm::dmat4& m = instance.worldFromMesh;
+        // The Frobenius norm is at least the largest stretch, also of a sheared body.
+        const double stretch = std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
+        const double longest = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+        const bool isOrthogonal =
+            std::abs(glm::dot(m[0], m[1])) + std::abs(glm::dot(m[1], m[2])) + std::abs(glm::dot(m[2], m[0])) <
+            1e-9 * stretch * stretch;
+        spheres.push_back({glm::dvec3(m * glm::dvec4(sphere.centerM, 1.0f)),
+                           (isOrthogonal ? longest : stretch) * static_cast<double>(sphere.radiusM)});
     }
-    std::vector<ShadowMapPlan> maps;
+    return spheres;
+}
+
+/// Can any of it be in the cone? The cone may be wider than a half space.
+bool isInCone(const Body& body, const BeamShape& shape) {
+    const double along = -body.middleM.z;
+    if (shape.cutHalfAngleRad < kWideHalfAngleRad && along + body.radiusM < shape.apexToLensM) return false;
+    const double across = std::hypot(body.middleM.x, body.middleM.y);
+    const double outside = std::cos(shape.cutHalfAngleRad) * across - std::sin(shape.cutHalfAngleRad) * along;
+    return outside <= body.radiusM;
+}
+
+/// One lamp and what stands before it.
+class Lamp {
+ public:
+    Lamp(const Scene& scene, int beam, const BeamShape& shape, std::span<const MeshBounds> bounds)
+        : scene_(scene),
+          shape_(shape),
+          bounds_(bounds),
+          beam_(beam),
+          apexM_(apexPosition(scene.beams[static_cast<std::size_t>(beam)], shape)),
+          lampFromWorld_(glm::transpose(scene.beams[static_cast<std::size_t>(beam)].worldFromBeam)) {}
+
+    void look(const std::vector<WorldSphere>& spheres) {
+        for (std::size_t i = 0; i < spheres.size(); ++i) {
+            const Body body{static_cast<int>(i), lampFromWorld_ * (spheres[i].middleM - apexM_),
+                            spheres[i].radiusM};
+            if (isInCone(body, shape_)) bodies_.push_back(body);
+        }
+    }
+
+    std::optional<SurfaceReach> reach() const { return isWideLamp(shape_) ? wideReach() : axialReach(); }
+
+    std::optional<ShadowMapPlan> map() const {
+        ShadowMapPlan plan;
+        plan.beam = beam_;
+        plan.isWide = isWideLamp(shape_);
+        for (int face = 0; face < (plan.isWide ? kCubeFaces : 1); ++face) {
+            if (std::optional<ShadowFacePlan> found = shadowFace(face))
+                plan.faces.push_back(std::move(*found));
+        }
+        return plan.faces.empty() ? std::nullopt : std::optional(std::move(plan));
+    }
+
+ private:
+    LampView view() const {
+        if (isWideLamp(shape_)) return {kFaceHalfTangent, kRimM};
+        return {std::tan(shape_.cutHalfAngleRad), std::max(shape_.apexToLensM, 0.0) + kRimM};
+    }
+
+    /// What a face sees of a body, by its box and its sphere.
+    std::optional<ViewedPart> viewed(const Body& body, const glm::dmat3& turn, const LampView& view) const {
+        const std::optional<ViewedPart> bySphere = viewSphere(turn * body.middleM, body.radiusM, view);
+        if (!bySphere) return std::nullopt;
+        const MeshInstance& instance = scene_.instances[static_cast<std::size_t>(body.instance)];
+        const glm::dmat3 viewFromWorld = turn * lampFromWorld_;
+        glm::dmat4 viewFromMesh = glm::dmat4(viewFromWorld * glm::dmat3(instance.worldFromMesh));
+        viewFromMesh[3] = glm::dvec4(viewFromWorld * (glm::dvec3(instance.worldFromMesh[3]) - apexM_), 1.0);
+        const BoundingBox& box = bounds_[static_cast<std::size_t>(instance.mesh)].box;
+        const std::optional<ViewedPart> byBox = viewBox(edgedBox(box, viewFromMesh), view);
+        if (!byBox) return std::nullopt;
+        std::optional<ViewedPart> part = commonPart(*bySphere, *byBox);
+        if (!part || isWideLamp(shape_)) return part;
+        const std::optional<TangentRect> cut = cutToCircle(part->rect, view.halfTangent);
+        if (!cut) return std::nullopt;
+        part->rect = *cut;
+        return part;
+    }
+
+    std::optional<SurfaceReach> axialReach() const {
+        const LampView from = view();
+        std::optional<SurfaceReach> reach;
+        for (const Body& body : bodies_) {
+            // Most bodies change nothing, as their spheres already tell.
+            const double middleM = -body.middleM.z;
+            if (reach && middleM - body.radiusM >= reach->nearM && middleM + body.radiusM <= reach->farM)
+                continue;
+            const std::optional<ViewedPart> part = viewed(body, glm::dmat3(1.0), from);
+            if (!part) continue;
+            // What the rim would cut is lit, from the lens on.
+            const double nearM = part->nearM <= from.nearestM ? from.nearestM - kRimM : part->nearM;
+            if (!reach) reach = {nearM, part->farM};
+            *reach = {std::min(reach->nearM, nearM), std::max(reach->farM, part->farM)};
+        }
+        return reach;
+    }
+
+    std::optional<SurfaceReach> wideReach() const {
+        std::optional<SurfaceReach> reach;
+        for (const Body& body : bodies_) {
+            const double farM = glm::length(body.middleM) + body.radiusM;
+            reach = {0.0, reach ? std::max(reach->farM, farM) : farM};
+        }
+        return reach;
+    }
+
+    std::optional<ShadowFacePlan> shadowFace(int face) const {
+        const glm::dmat3 turn = faceFromLamp(face);
+        const LampView from = view();
+        ShadowFacePlan plan;
+        std::optional<ViewedPart> all;
+        for (const Body& body : bodies_) {
+            if (!scene_.instances[static_cast<std::size_t>(body.instance)].castsShadow) continue;
+            const std::optional<ViewedPart> part = viewed(body, turn, from);
+            if (!part) continue;
+            plan.casters.push_back(body.instance);
+            all = all ? enclosingPart(*all, *part) : *part;
+        }
+        if (!all) return std::nullopt;
+        plan.face = face;
+        plan.rect = all->rect;
+        plan.nearM = all->nearM;
+        return plan;
+    }
+
+    const Scene& scene_;
+    const BeamShape& shape_;
+    std::span<const MeshBounds> bounds_;
+    int beam_;
+    glm::dvec3 apexM_;
+    glm::dmat3 lampFromWorld_;
+    std::vector<Body> bodies_;
+};
+
+}  // namespace
+
+bool isWideLamp(const BeamShape& shape) {
+    return shape.cutHalfAngleRad > kWideHalfAngleRad;
+}
+
+glm::dmat3 faceFromLamp(int face) {
+    // Rows are the face's right, up and backward direction.
+    static const std::array<glm::dmat3, kCubeFaces> kFaces{{
+        glm::transpose(glm::dmat3({1, 0, 0}, {0, 1, 0}, {0, 0, 1})),
+        glm::transpose(glm::dmat3({0, 0, 1}, {0, 1, 0}, {-1, 0, 0})),
+        glm::transpose(glm::dmat3({0, 0, -1}, {0, 1, 0}, {1, 0, 0})),
+        glm::transpose(glm::dmat3({1, 0, 0}, {0, 0, 1}, {0, -1, 0})),
+        glm::transpose(glm::dmat3({1, 0, 0}, {0, 0, -1}, {0, 1, 0})),
+        glm::transpose(glm::dmat3({-1, 0, 0}, {0, 1, 0}, {0, 0, -1})),
+    }};
+    return kFaces[static_cast<std::size_t>(face)];
+}
+
+ShadowPlan planShadows(const Scene& scene, const std::vector<int>& lit, const std::vector<BeamShape>& shapes,
+                       std::span<const MeshBounds> bounds, const ShadowDetail& detail, bool wantsMaps) {
+    const std::vector<WorldSphere> spheres = worldSpheres(scene, bounds);
+    ShadowPlan plan;
+    plan.reach.resize(scene.beams.size());
     for (const int beam : lit) {
         const auto index = static_cast<std::size_t>(beam);
-        if (!scene.beams[index].castsShadow) continue;
-        ShadowMapPlan map = planShadow(scene, beam, shapes[index], spheres);
-        if (!map.casters.empty()) maps.push_back(std::move(map));
+        Lamp lamp(scene, beam, shapes[index], bounds);
+        lamp.look(spheres);
+        plan.reach[index] = lamp.reach();
+        if (!wantsMaps || !scene.beams[index].castsShadow || !plan.reach[index]) continue;
+        if (std::optional<ShadowMapPlan> map = lamp.map()) plan.maps.push_back(std::move(*map));
     }
-    if (maps.size() > static_cast<std::size_t>(kMaxShadowMaps)) {
-        const auto brighter = [&](const ShadowMapPlan& a, const ShadowMapPlan& b) {
-            return scene.beams[static_cast<std::size_t>(a.beam)].fluxLm >
-                   scene.beams[static_cast<std::size_t>(b.beam)].fluxLm;
-        };
-        std::stable_sort(maps.begin(), maps.end(), brighter);
-        maps.resize(static_cast<std::size_t>(kMaxShadowMaps));
-    }
-    return maps;
+    chooseTileSizes(scene, shapes, detail, plan);
+    return plan;
 }
 
 }  // namespace hazer::render

@@ -44,7 +44,7 @@ float densityAt(float t) { return 1.0; }
 vec3 transmissionAt(LampSample here) {
     vec3 value = vec3(1.0);
 #ifdef SHADOW
-    value *= visibilityAt(here.direction * here.distanceM);
+    value *= float(seesLamp(here.direction * here.distanceM));
 #endif
 #ifdef GOBO
     float toEyeM = here.pathM - (here.distanceM - light.w / here.cosAxis);

@@ -37,8 +37,7 @@ vec3 illuminance(LampSample here, float distanceToEyeM, vec3 normal, float slant
     lux *= goboOnSurface(here.direction, axialM, pixelAngle() * distanceToEyeM / slant);
 #endif
 #ifdef SHADOW
-    // Stepping off the surface by a texel of the map keeps it from shadowing itself.
-    lux *= visibilityAt(here.direction * here.distanceM + normal * (1.5 * lens.y * axialM));
+    lux *= surfaceVisibility(here.direction * here.distanceM, normal);
 #endif
     return lux;
 }

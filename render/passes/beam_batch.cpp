@@ -47,17 +47,19 @@ std::vector<std::uint16_t> hullIndexList() {
 }  // namespace
 
 std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const Camera& camera) {
-    std::vector<int> layers(scene.beams.size(), -1);
-    for (std::size_t i = 0; i < plan.shadowMaps.size(); ++i) {
-        layers[static_cast<std::size_t>(plan.shadowMaps[i].beam)] = static_cast<int>(i);
+    std::vector<BeamShadow> shadows(scene.beams.size());
+    for (std::size_t i = 0; i < scene.beams.size(); ++i) {
+        if (const auto& reach = plan.surfaceReach[i]) shadows[i] = {-1, reach->nearM, reach->farM};
+    }
+    int faces = 0;
+    for (const ShadowMapPlan& map : plan.shadowMaps) {
+        shadows[static_cast<std::size_t>(map.beam)].firstFace = faces;
+        faces += faceRecordCount(map);
     }
     std::vector<GpuBeam> packed;
     packed.reserve(scene.beams.size());
     for (std::size_t i = 0; i < scene.beams.size(); ++i) {
-        const int layer = layers[i];
-        const ShadowProjection shadow =
-            layer < 0 ? ShadowProjection{} : plan.shadowMaps[static_cast<std::size_t>(layer)].projection;
-        packed.push_back(packBeam(scene.beams[i], plan.shapes[i], camera, layer, shadow, plan.shadowMapSize));
+        packed.push_back(packBeam(scene.beams[i], plan.shapes[i], camera, shadows[i]));
     }
     return packed;
 }
@@ -94,12 +96,14 @@ void setLightUniforms(const gl::Program& program, const LightInputs& in) {
     program.set("geometryBuffer", kGeometryUnit);
     program.set("materialBuffer", kMaterialUnit);
     program.set("goboImages", kGoboUnit);
-    program.set("shadowMaps", kShadowUnit);
+    program.set("shadowAtlas", kShadowAtlasUnit);
+    program.set("shadowFaces", kShadowFacesUnit);
     program.set("webImages", kWebUnit);
     gl::bindTexture(kGeometryUnit, GL_TEXTURE_2D, in.surfaces.geometry());
     gl::bindTexture(kMaterialUnit, GL_TEXTURE_2D, in.surfaces.material());
     gl::bindTexture(kGoboUnit, GL_TEXTURE_2D_ARRAY, in.gobos);
-    gl::bindTexture(kShadowUnit, GL_TEXTURE_2D_ARRAY, in.shadowMaps);
+    gl::bindTexture(kShadowAtlasUnit, GL_TEXTURE_2D, in.shadows.atlas);
+    gl::bindTexture(kShadowFacesUnit, GL_TEXTURE_BUFFER, in.shadows.faces);
     gl::bindTexture(kWebUnit, GL_TEXTURE_2D_ARRAY, in.webs);
 }
 

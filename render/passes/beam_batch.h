@@ -7,6 +7,7 @@
 #include "render/gl/handle.h"
 #include "render/gl/program.h"
 #include "render/gpu_beam.h"
+#include "render/passes/shadow_pass.h"
 #include "render/passes/surface_pass.h"
 #include "render/resources.h"
 #include "render/scene_plan.h"
@@ -22,7 +23,7 @@ struct LightInputs {
     const SurfacePass& surfaces;
     const std::vector<GpuBeam>& beams;  ///< One per beam of the scene, see packBeams.
     GLuint gobos = 0;
-    GLuint shadowMaps = 0;
+    ShadowTextures shadows;
     GLuint webs = 0;
     int pixelStep = 1;  ///< Draws only every so many pixels, into a target of nodeCount().
 };
@@ -36,7 +37,8 @@ enum LightTextureUnit : int {
     kGeometryUnit,
     kMaterialUnit,
     kGoboUnit,
-    kShadowUnit,
+    kShadowAtlasUnit,
+    kShadowFacesUnit,
     kNoiseUnit,
     kNodeUnit,
     kWebUnit

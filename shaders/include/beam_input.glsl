@@ -3,5 +3,5 @@
 //     light    peak intensity rgb [cd], w: distance apex - lens [m]
 //     cone     cos and sin of the half angle of the cut, half angle of 50 % [rad], exponent (0: flat)
 //     gobo     layer, cos and sin of the gobo's turn / tan(field half angle), 1 / focus distance [1/m] (< 0: sharp everywhere)
-//     shadow   layer, 1 / tan(half angle of the map), near plane, far plane [m]
-//     lens     radius [m], texel of the shadow map at 1 m [m], layer of the web (< 0: none), 0
+//     shadow   first record of its shadow faces (-1: none), nearest and farthest surface from the apex [m], 0
+//     lens     radius [m], 0, layer of the web (< 0: none), 0

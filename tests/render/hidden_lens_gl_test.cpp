@@ -31,10 +31,10 @@ class HiddenLensGl : public GlTest {};
 
 TEST_F(HiddenLensGl, IsNeitherPlannedNorDrawn) {
     render::Scene scene = lampIntoTheCamera();
-    EXPECT_FALSE(render::planScene(scene, {}, {}).lenses.empty());
+    EXPECT_FALSE(render::planScene(scene, kBelow, {}, {}).lenses.empty());
     EXPECT_GT(brightest(draw(scene, kBelow, kSize, kSize)), 100.0f);
     scene.beams.front().showsLens = false;
-    EXPECT_TRUE(render::planScene(scene, {}, {}).lenses.empty());
+    EXPECT_TRUE(render::planScene(scene, kBelow, {}, {}).lenses.empty());
     EXPECT_EQ(brightest(draw(scene, kBelow, kSize, kSize)), 0.0f);
 }
 
@@ -44,7 +44,7 @@ TEST_F(HiddenLensGl, StaysHiddenBesideOneThatShows) {
     elsewhere.lensPositionM = {50.0, 0.0, 4.0};
     scene.beams.push_back(elsewhere);
     scene.beams.front().showsLens = false;
-    EXPECT_FALSE(render::planScene(scene, {}, {}).lenses.empty());
+    EXPECT_FALSE(render::planScene(scene, kBelow, {}, {}).lenses.empty());
     EXPECT_EQ(brightest(draw(scene, kBelow, kSize, kSize)), 0.0f);
 }
 

@@ -14,7 +14,8 @@ using render::Beam;
 using render::Scene;
 using render::ScenePlan;
 
-constexpr std::array<render::BoundingSphere, 1> kUnitSphere{{{glm::vec3(0.0f), 0.5f}}};
+constexpr std::array<render::MeshBounds, 1> kUnitSphere{
+    {{{glm::vec3(0.0f), 0.5f}, {glm::vec3(-0.5f), glm::vec3(0.5f)}}}};
 
 /// A soft lamp at 6 m that shines down, and a ball of 1 m at `ball`.
 Scene sceneWithBall(const glm::dvec3& ball) {
@@ -31,12 +32,20 @@ Scene sceneWithBall(const glm::dvec3& ball) {
 }
 
 ScenePlan plan(const Scene& scene, const render::Settings& settings = {}) {
-    return render::planScene(scene, settings, kUnitSphere);
+    return render::planScene(scene, {}, settings, kUnitSphere);
 }
 
+/// What the one group of beams in the air is drawn with.
 render::LightFeatures onlyFeatures(const ScenePlan& p) {
-    EXPECT_EQ(p.surfaceGroups.size(), 1u);
-    return p.surfaceGroups.empty() ? 0u : p.surfaceGroups.front().features;
+    EXPECT_EQ(p.airGroups.size(), 1u);
+    return p.airGroups.empty() ? 0u : p.airGroups.front().features;
+}
+
+void expectListed(const std::vector<render::BeamGroup>& groups,
+                  const std::vector<render::LightFeatures>& all) {
+    for (const render::BeamGroup& group : groups) {
+        EXPECT_NE(std::find(all.begin(), all.end(), group.features), all.end());
+    }
 }
 
 TEST(ScenePlan, AFullSceneHasEverything) {
@@ -47,10 +56,9 @@ TEST(ScenePlan, AFullSceneHasEverything) {
     EXPECT_TRUE(p.air && p.surfaces && p.bloom);
     EXPECT_EQ(p.lenses.size(), 1u);
     ASSERT_EQ(p.shadowMaps.size(), 1u);
-    EXPECT_EQ(onlyFeatures(p), render::kFeatureGobo | render::kFeatureShadow);
-    ASSERT_EQ(p.airGroups.size(), 1u);
-    EXPECT_EQ(p.airGroups.front().features,
-              render::kFeatureGobo | render::kFeatureShadow | render::kFeatureNoise);
+    ASSERT_EQ(p.surfaceGroups.size(), 1u);
+    EXPECT_EQ(p.surfaceGroups.front().features, render::kFeatureGobo | render::kFeatureShadow);
+    EXPECT_EQ(onlyFeatures(p), render::kFeatureGobo | render::kFeatureShadow | render::kFeatureNoise);
 }
 
 TEST(ScenePlan, AWebGivesTheBeamItsShape) {
@@ -62,7 +70,7 @@ TEST(ScenePlan, AWebGivesTheBeamItsShape) {
     Scene scene = sceneWithBall({0.0, 0.0, 2.0});
     scene.beams.front().fluxLm = 0.0;
     scene.beams.front().web = 0;
-    const ScenePlan p = render::planScene(scene, {}, kUnitSphere, webs);
+    const ScenePlan p = render::planScene(scene, {}, {}, kUnitSphere, webs);
     EXPECT_EQ(p.shapes.front().peakCd, 700.0);
     EXPECT_NEAR(p.shapes.front().cutHalfAngleRad, 40.0 * 3.14159265 / 180.0, 0.01);
     ASSERT_EQ(p.airGroups.size(), 1u);
@@ -86,7 +94,7 @@ TEST(ScenePlan, NoCasterInTheConeNoShadow) {
     for (const glm::dvec3& beside : {glm::dvec3(4.0, 0.0, 3.0), glm::dvec3(0.0, 0.0, 9.0)}) {
         const ScenePlan p = plan(sceneWithBall(beside));
         EXPECT_TRUE(p.shadowMaps.empty());
-        EXPECT_EQ(p.shadowMapSize, 0);
+        EXPECT_TRUE(p.shadowsLeftOut.empty());
         EXPECT_EQ(onlyFeatures(p) & render::kFeatureShadow, 0u);
     }
 }
@@ -98,14 +106,6 @@ TEST(ScenePlan, ThatWhichCastsNoneOrIsSwitchedOffHasNoMap) {
     EXPECT_TRUE(plan(scene, off).shadowMaps.empty());
     scene.instances.front().castsShadow = false;
     EXPECT_TRUE(plan(scene).shadowMaps.empty());
-}
-
-TEST(ScenePlan, TheShadowReachesToTheFarSideOfItsCaster) {
-    const ScenePlan p = plan(sceneWithBall({0.0, 0.0, 2.0}));
-    ASSERT_EQ(p.shadowMaps.size(), 1u);
-    const double apexToLens = p.shapes.front().apexToLensM;
-    EXPECT_NEAR(p.shadowMaps.front().projection.farM, 4.5 + apexToLens, 1e-9);
-    EXPECT_GT(p.shadowMaps.front().projection.nearM, apexToLens);
 }
 
 TEST(ScenePlan, DarkFixturesAreNotDrawn) {
@@ -140,18 +140,22 @@ TEST(ScenePlan, BeamsAreGroupedByWhatTheyNeed) {
     EXPECT_EQ(beams, 3u);
 }
 
-TEST(ScenePlan, TheBrightestLampsGetTheMaps) {
+TEST(ScenePlan, ABeamThatMeetsNoSurfaceLightsTheAirAlone) {
+    const ScenePlan p = plan(sceneWithBall({9.0, 0.0, 2.0}));
+    EXPECT_TRUE(p.surfaces);
+    EXPECT_TRUE(p.surfaceGroups.empty());
+    EXPECT_FALSE(p.surfaceReach.front().has_value());
+    EXPECT_EQ(p.airGroups.size(), 1u);
+}
+
+TEST(ScenePlan, AWideLampNeedsShadowMapsAllAround) {
     Scene scene = sceneWithBall({0.0, 0.0, 2.0});
-    const Beam first = scene.beams.front();
-    scene.beams.clear();
-    for (int i = 0; i < render::kMaxShadowMaps + 10; ++i) {
-        scene.beams.push_back(first);
-        scene.beams.back().fluxLm = 100.0 + i;
-    }
+    scene.beams.front().fieldAngleRad = 3.0;
+    scene.beams.front().beamAngleRad = 2.0;
     const ScenePlan p = plan(scene);
-    ASSERT_EQ(p.shadowMaps.size(), static_cast<std::size_t>(render::kMaxShadowMaps));
-    EXPECT_TRUE(std::all_of(p.shadowMaps.begin(), p.shadowMaps.end(),
-                            [](const auto& map) { return map.beam >= 10; }));
+    EXPECT_EQ(onlyFeatures(p), render::kFeatureShadow | render::kFeatureWide);
+    expectListed(p.airGroups, render::allAirVariants());
+    expectListed(p.surfaceGroups, render::allSurfaceVariants());
 }
 
 TEST(ScenePlan, ALampThatHidesItsLensHasNone) {
@@ -161,13 +165,6 @@ TEST(ScenePlan, ALampThatHidesItsLensHasNone) {
     scene.beams.front().showsLens = true;
     scene.beams.front().lensRadiusM = 0.0;
     EXPECT_TRUE(plan(scene).lenses.empty());
-}
-
-void expectListed(const std::vector<render::BeamGroup>& groups,
-                  const std::vector<render::LightFeatures>& all) {
-    for (const render::BeamGroup& group : groups) {
-        EXPECT_NE(std::find(all.begin(), all.end(), group.features), all.end());
-    }
 }
 
 TEST(ScenePlan, EveryGroupsVariantIsListed) {
