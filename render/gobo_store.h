@@ -2,28 +2,24 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "render/gl/handle.h"
+#include "render/gobo_picture.h"
 #include "render/resources.h"
 #include "render/scene.h"
 
 namespace hazer::render {
-
-/// What one gobo lets through: `kGoboSize`^2 RGBA texels, linear, row 0 on top, black outside the inscribed
-/// circle.
-std::vector<std::uint8_t> goboTransmission(const std::uint8_t* rgba, int width, int height);
-
-inline constexpr int kGoboSize = 512;
 
 class GoboStore {
  public:
     /// See Renderer::addGobo.
     GoboId add(const std::uint8_t* rgba, int width, int height);
 
-    /// What goboTransmission() made of a gobo.
+    /// What a gobo lets through: the sharp level of its picture.
     const std::vector<std::uint8_t>& texels(GoboId gobo) const {
-        return layers_[static_cast<std::size_t>(gobo)];
+        return pictures_[static_cast<std::size_t>(gobo)]->levels[0];
     }
 
     /// A GL_TEXTURE_2D_ARRAY with mip levels; 0 while there are no gobos.
@@ -33,7 +29,7 @@ class GoboStore {
     void list(Resources& resources) const;
 
  private:
-    std::vector<std::vector<std::uint8_t>> layers_;
+    std::vector<std::shared_ptr<const GoboPicture>> pictures_;
     gl::Texture texture_;
     std::size_t uploaded_ = 0;
 };

@@ -3,6 +3,7 @@
 #define Real float
 #define Real2 vec2
 #define Real3 vec3
+#define Real4 vec4
 #define OUT(T) out T
 #define INOUT(T) inout T
 const float PI = 3.14159265358979;
