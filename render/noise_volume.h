@@ -12,6 +12,9 @@ namespace hazer::render {
 /// a step; the same seed gives the same bytes everywhere.
 std::vector<std::uint8_t> makeNoiseVolume(int size, std::uint32_t seed);
 
+/// Edge of the volume that is drawn with, in texels.
+inline constexpr int kNoiseSize = 64;
+
 /// Cells of the coarsest octave along an edge.
 inline constexpr int kNoiseCells = 4;
 

@@ -138,30 +138,29 @@ int airStep(const Settings& settings) {
 ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& settings,
                     std::span<const MeshBounds> meshBounds, std::span<const IesWeb> webs) {
     ScenePlan plan;
-    std::vector<int> lit;
     for (std::size_t i = 0; i < scene.beams.size(); ++i) {
         const Beam& beam = scene.beams[i];
         plan.shapes.push_back(shapeOf(beam, webs));
         const float brightest = std::max({beam.color.r, beam.color.g, beam.color.b});
-        if (plan.shapes.back().peakCd > 0.0 && brightest > 0.0f) lit.push_back(static_cast<int>(i));
+        if (plan.shapes.back().peakCd > 0.0 && brightest > 0.0f) plan.lit.push_back(static_cast<int>(i));
     }
     plan.surfaces = !scene.instances.empty();
-    plan.air = !lit.empty() && scene.haze.scatteringPerM > 0.0f;
+    plan.air = !plan.lit.empty() && scene.haze.scatteringPerM > 0.0f;
     plan.bloom = settings.bloom;
-    plan.lenses = groupLenses(scene, lit);
+    plan.lenses = groupLenses(scene, plan.lit);
 
     std::vector<LightFeatures> features(scene.beams.size(), 0);
-    for (const int beam : lit) {
+    for (const int beam : plan.lit) {
         const auto index = static_cast<std::size_t>(beam);
         features[index] = featuresOf(scene.beams[index], plan.shapes[index], settings);
     }
-    planShadowsOf(scene, camera, settings, lit, meshBounds, plan);
+    planShadowsOf(scene, camera, settings, plan.lit, meshBounds, plan);
     for (const ShadowMapPlan& map : plan.shadowMaps) {
         features[static_cast<std::size_t>(map.beam)] |= kFeatureShadow | (map.isWide ? kFeatureWide : 0u);
     }
-    if (plan.air) plan.airGroups = groupBeams(lit, features, airFeatures(scene, settings));
+    if (plan.air) plan.airGroups = groupBeams(plan.lit, features, airFeatures(scene, settings));
     std::vector<int> onSurfaces;
-    std::copy_if(lit.begin(), lit.end(), std::back_inserter(onSurfaces),
+    std::copy_if(plan.lit.begin(), plan.lit.end(), std::back_inserter(onSurfaces),
                  [&](int beam) { return plan.surfaceReach[static_cast<std::size_t>(beam)].has_value(); });
     plan.surfaceGroups = groupBeams(onSurfaces, features, 0);
     return plan;

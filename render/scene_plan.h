@@ -41,6 +41,7 @@ struct BeamGroup {
 };
 
 struct ScenePlan {
+    std::vector<int> lit;   ///< Indices into Scene::beams of those that give light.
     bool surfaces = false;  ///< Anything with a mesh.
     bool air = false;       ///< Haze that scatters, and a lit beam.
     bool bloom = false;

@@ -29,6 +29,16 @@ std::size_t levelBytes(GLenum target, int level) {
     return texels * bits / 8;
 }
 
+/// Bytes; 0 if there is none.
+std::size_t sizeOf(const Buffer& buffer) {
+    if (buffer.id() == 0) return 0;
+    GLint64 bytes = 0;
+    // The copy target, so that no vertex array's index buffer is replaced.
+    glBindBuffer(GL_COPY_READ_BUFFER, buffer.id());
+    glGetBufferParameteri64v(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
+    return static_cast<std::size_t>(bytes);
+}
+
 }  // namespace
 
 void listTexture(Resources& resources, const char* name, GLenum target, const Texture& texture) {
@@ -49,13 +59,16 @@ void listTexture(Resources& resources, const char* name, GLenum target, const Te
     resources.textures.push_back(use);
 }
 
+void listBufferTexture(Resources& resources, const char* name, const Buffer& buffer, int bytesPerTexel) {
+    const std::size_t bytes = sizeOf(buffer);
+    if (bytes == 0) return;
+    const int texels = static_cast<int>(bytes) / bytesPerTexel;
+    resources.textures.push_back({name, texels, 1, 1, 1, bytes});
+}
+
 void listBuffer(Resources& resources, const char* name, const Buffer& buffer) {
-    if (buffer.id() == 0) return;
-    GLint64 bytes = 0;
-    // The copy target, so that no vertex array's index buffer is replaced.
-    glBindBuffer(GL_COPY_READ_BUFFER, buffer.id());
-    glGetBufferParameteri64v(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
-    if (bytes > 0) resources.buffers.push_back({name, static_cast<std::size_t>(bytes)});
+    const std::size_t bytes = sizeOf(buffer);
+    if (bytes > 0) resources.buffers.push_back({name, bytes});
 }
 
 void listProgram(Resources& resources, const Program& program) {

@@ -13,6 +13,8 @@ namespace hazer::render::gl {
 /// `target` is what the texture is bound to: GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY or GL_TEXTURE_3D. It is left
 /// unbound.
 void listTexture(Resources& resources, const char* name, GLenum target, const Texture& texture);
+/// A texture that looks into `buffer`, one row of texels of `bytesPerTexel` bytes; bytes are the buffer's.
+void listBufferTexture(Resources& resources, const char* name, const Buffer& buffer, int bytesPerTexel);
 void listBuffer(Resources& resources, const char* name, const Buffer& buffer);
 void listProgram(Resources& resources, const Program& program);
 void listProgram(Resources& resources, const LazyProgram& program);

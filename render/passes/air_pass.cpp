@@ -8,7 +8,6 @@
 namespace hazer::render {
 namespace {
 
-constexpr int kNoiseSize = 64;
 /// How fast the waves that stir the smoke go round; no two in step.
 constexpr glm::dvec3 kStirHz(0.037, 0.029, 0.043);
 

@@ -64,6 +64,10 @@ std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const 
     return packed;
 }
 
+std::size_t beamHullBytes() {
+    return hullCorners().size() * sizeof(glm::vec3) + hullIndexList().size() * sizeof(std::uint16_t);
+}
+
 glm::ivec2 nodeCount(const Settings& settings, int step) {
     return {(settings.width - 1) / step + 2, (settings.height - 1) / step + 2};
 }

@@ -47,6 +47,9 @@ enum LightTextureUnit : int {
 /// Every beam of the scene as seen by the camera.
 std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const Camera& camera);
 
+/// Bytes of the hull that the beams of a pass share.
+std::size_t beamHullBytes();
+
 /// Sets what every shader that draws beams knows, and binds the textures it looks up.
 void setLightUniforms(const gl::Program& program, const LightInputs& in);
 

@@ -104,7 +104,7 @@ void ShadowPass::draw(const Scene& scene, const ScenePlan& plan, const MeshStore
 void ShadowPass::list(Resources& resources) const {
     gl::listProgram(resources, program_);
     gl::listTexture(resources, "shadow maps", GL_TEXTURE_2D, atlas_);
-    gl::listBuffer(resources, "shadow faces", faceBuffer_);
+    gl::listBufferTexture(resources, "shadow faces", faceBuffer_, sizeof(glm::vec4));
 }
 
 }  // namespace hazer::render
