@@ -20,7 +20,9 @@ constexpr std::size_t kMaxCuts = 600;
 std::vector<fs::path> seedsIn(const fs::path& fileOrFolder) {
     if (!fs::is_directory(fileOrFolder)) return {fileOrFolder};
     std::vector<fs::path> seeds;
-    for (const auto& entry : fs::directory_iterator(fileOrFolder)) seeds.push_back(entry.path());
+    for (const auto& entry : fs::recursive_directory_iterator(fileOrFolder)) {
+        if (entry.is_regular_file()) seeds.push_back(entry.path());
+    }
     std::sort(seeds.begin(), seeds.end());
     return seeds;
 }
