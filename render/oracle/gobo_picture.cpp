@@ -7,6 +7,9 @@
 namespace hazer::render::oracle {
 namespace {
 
+/// Texels along an edge of the most blurred picture.
+constexpr int kCoarsest = 4;
+
 std::size_t texelIndex(int size, int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x);
 }
@@ -21,7 +24,7 @@ GoboPicture::GoboPicture(std::span<const std::uint8_t> rgba, int size) {
         isGrey_ = isGrey_ && rgba[i] == rgba[i + 1] && rgba[i] == rgba[i + 2];
     }
     levels_.push_back(std::move(finest));
-    while (levels_.back().size > 1) levels_.push_back(halved(levels_.back()));
+    while (levels_.back().size > kCoarsest) levels_.push_back(halved(levels_.back()));
 }
 
 GoboPicture::Level GoboPicture::halved(const Level& fine) {
@@ -42,9 +45,10 @@ glm::dvec3 GoboPicture::bilinear(const Level& level, const glm::dvec2& uv) {
     const glm::dvec2 base = glm::floor(at);
     const glm::dvec2 share = at - base;
     const auto texel = [&](int dx, int dy) {
-        const double last = level.size - 1;
-        return level.texels[texelIndex(level.size, static_cast<int>(std::clamp(base.x + dx, 0.0, last)),
-                                       static_cast<int>(std::clamp(base.y + dy, 0.0, last)))];
+        const double x = base.x + dx;
+        const double y = base.y + dy;
+        if (!(x >= 0.0 && x < level.size && y >= 0.0 && y < level.size)) return glm::dvec3(0.0);
+        return level.texels[texelIndex(level.size, static_cast<int>(x), static_cast<int>(y))];
     };
     return glm::mix(glm::mix(texel(0, 0), texel(1, 0), share.x), glm::mix(texel(0, 1), texel(1, 1), share.x),
                     share.y);
