@@ -9,6 +9,13 @@
 
 namespace hazer::render {
 
+/// What waits for scenes to refer to it.
+struct AssetCounts {
+    std::size_t meshBytes = 0;  ///< Of vertices and indices.
+    int gobos = 0;
+    int webs = 0;
+};
+
 /// Gives out the handles that a Renderer would.
 class AssetList : public AssetSink {
  public:
@@ -22,8 +29,7 @@ class AssetList : public AssetSink {
     /// Indexed by WebId.
     std::span<const IesWeb> webs() const { return webs_; }
 
-    int gobos() const { return gobos_; }
-    std::size_t meshBytes() const { return meshBytes_; }
+    AssetCounts counts() const { return {meshBytes_, gobos_, static_cast<int>(webs_.size())}; }
 
  private:
     std::vector<MeshBounds> bounds_;

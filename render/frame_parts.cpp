@@ -6,7 +6,7 @@
 #include <bit>
 
 #include "render/beam_width.h"
-#include "render/gobo_store.h"
+#include "render/gobo_picture.h"
 #include "render/gpu_beam.h"
 #include "render/noise_volume.h"
 #include "render/passes/beam_batch.h"
@@ -34,11 +34,16 @@ TextureUse texture(const char* name, int width, int height, int bytesPerTexel, i
     return {name, width, height, layers, 1, texels * static_cast<std::size_t>(bytesPerTexel)};
 }
 
-/// The same with all its mip levels; the layers of an array stay as many.
-TextureUse withMipLevels(TextureUse use) {
+/// Down to a single texel.
+int allMipLevels(int width, int height) {
+    return std::bit_width(static_cast<unsigned>(std::max(width, height)));
+}
+
+/// The same with mip levels; the layers of an array stay as many.
+TextureUse withMipLevels(TextureUse use, int levels) {
     const std::size_t bytesPerTexel =
         use.bytes / (static_cast<std::size_t>(use.width) * static_cast<std::size_t>(use.height));
-    use.levels = std::bit_width(static_cast<unsigned>(std::max(use.width, use.height)));
+    use.levels = levels;
     use.bytes = 0;
     for (int level = 0; level < use.levels; ++level) {
         use.bytes += static_cast<std::size_t>(std::max(use.width >> level, 1)) *
@@ -109,7 +114,14 @@ FramePart bodies(const SummaryInputs& in) {
     part.reason = part.needed ? counted(in.scene.instances.size(), "body is drawn", "bodies are drawn")
                               : "the scene has no body";
     part.resources.shaders = {"surface.frag"};
-    if (in.assets.meshBytes > 0) part.resources.buffers = {{"meshes", in.assets.meshBytes}};
+    return part;
+}
+
+/// They stay, so that a body that comes back is there at once.
+FramePart meshes(const SummaryInputs& in) {
+    FramePart part = named("meshes", in.assets.meshBytes > 0);
+    part.reason = part.needed ? "bodies that the scene has, or may have in a later frame" : "there are none";
+    part.resources.buffers = {{"meshes", in.assets.meshBytes}};
     return part;
 }
 
@@ -156,9 +168,10 @@ FramePart airGrid(const SummaryInputs& in) {
     part.resources.shaders = {"air_nodes.frag", "air_between.frag"};
     if (step < 2) return part;
     const glm::ivec2 nodes = nodeCount(in.settings, step);
-    part.resources.textures = {withMipLevels(texture("grid nodes", nodes.x, nodes.y, kRgba32F)),
-                               texture("judged grid nodes", nodes.x, nodes.y, kRgba32F),
-                               texture("grid mask", in.settings.width, in.settings.height, kDepth32F)};
+    part.resources.textures = {
+        withMipLevels(texture("grid nodes", nodes.x, nodes.y, kRgba32F), allMipLevels(nodes.x, nodes.y)),
+        texture("judged grid nodes", nodes.x, nodes.y, kRgba32F),
+        texture("grid mask", in.settings.width, in.settings.height, kDepth32F)};
     return part;
 }
 
@@ -227,8 +240,8 @@ FramePart gobos(const SummaryInputs& in) {
                                         : "gobos are switched off";
     }
     part.features = featureDefines(kFeatureGobo);
-    part.resources.textures = {
-        withMipLevels(texture("gobos", kGoboSize, kGoboSize, kRgba8, std::max(in.assets.gobos, 1)))};
+    part.resources.textures = {withMipLevels(
+        texture("gobos", kGoboSize, kGoboSize, kRgba8, std::max(in.assets.gobos, 1)), kGoboLevels)};
     return part;
 }
 
@@ -331,9 +344,11 @@ FramePart darkLamps(const SummaryInputs& in) {
 }  // namespace
 
 std::vector<FramePart> frameParts(const SummaryInputs& in) {
-    return {picture(in),   bodies(in),         surfaceLight(in), air(in),      airGrid(in), thinBeams(in),
-            noise(in),     uniformSamples(in), profile(in),      gobos(in),    webs(in),    shadows(in),
-            wideLamps(in), lenses(in),         bloom(in),        darkLamps(in)};
+    return {
+        picture(in),   bodies(in),    meshes(in),         surfaceLight(in), air(in),       airGrid(in),
+        thinBeams(in), noise(in),     uniformSamples(in), profile(in),      gobos(in),     webs(in),
+        shadows(in),   wideLamps(in), lenses(in),         bloom(in),        darkLamps(in),
+    };
 }
 
 }  // namespace hazer::render

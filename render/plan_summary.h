@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "render/asset_list.h"
 #include "render/resources.h"
 #include "render/scene.h"
 #include "render/scene_plan.h"
@@ -44,13 +45,6 @@ struct PlanSummary {
     std::vector<VariantUse> variants;
     std::vector<ShadowTileUse> shadowTiles;
     std::vector<int> shadowsLeftOut;  ///< Beams that shine through their casters, for want of memory.
-};
-
-/// How many meshes, gobos and webs wait for scenes to refer to them.
-struct AssetCounts {
-    std::size_t meshBytes = 0;
-    int gobos = 0;
-    int webs = 0;
 };
 
 struct SummaryInputs {
