@@ -1,6 +1,8 @@
 #include "render/gobo_store.h"
 
-#include <array>
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "render/gl/inventory.h"
 
@@ -18,7 +20,25 @@ void uploadLevel(const std::vector<std::shared_ptr<const GoboPicture>>& pictures
     }
 }
 
+/// The tables' cubic does not follow what a wider beam's light does along a ray.
+constexpr double kWidestHalfAngleRad = 0.61;
+/// Steps of a rounded profile: the intensity is less than 0.3 % of the peak off, at the steepest edge.
+constexpr double kBeamOverFieldSteps = 1024.0;
+constexpr double kExponentSteps = 128.0;
+
+double rounded(double value, double steps) {
+    return std::round(value * steps) / steps;
+}
+
 }  // namespace
+
+GoboTableKey goboTableKey(const Beam& beam, const BeamShape& shape) {
+    if (beam.gobo < 0 || shape.fieldHalfAngleRad > kWidestHalfAngleRad) return {};
+    if (shape.exponent == 0.0) return {beam.gobo, {}};
+    const double beamOverField = shape.beamHalfAngleRad / shape.fieldHalfAngleRad;
+    return {beam.gobo,
+            {rounded(beamOverField, kBeamOverFieldSteps), rounded(shape.exponent, kExponentSteps)}};
+}
 
 GoboId GoboStore::add(const std::uint8_t* rgba, int width, int height) {
     pictures_.push_back(std::make_shared<const GoboPicture>(makeGoboPicture(rgba, width, height)));
@@ -27,23 +47,72 @@ GoboId GoboStore::add(const std::uint8_t* rgba, int width, int height) {
 
 GLuint GoboStore::texture() {
     if (uploaded_ == pictures_.size()) return texture_.id();
-    // The holder around a gobo is black, however blurred.
-    static constexpr std::array<float, 4> kBlack{0.0f, 0.0f, 0.0f, 1.0f};
     texture_ = gl::makeTexture();
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture_.id());
     for (int level = 0; level < kGoboLevels; ++level) uploadLevel(pictures_, level);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, kGoboLevels - 1);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-    glTexParameterfv(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BORDER_COLOR, kBlack.data());
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     uploaded_ = pictures_.size();
     return texture_.id();
 }
 
+void GoboStore::request(const GoboTableKey& key) {
+    if (key.gobo < 0 || slots_.use(key)) return;
+    const std::shared_ptr<const GoboPicture>& picture = pictures_[static_cast<std::size_t>(key.gobo)];
+    if (slots_.place(key, picture->grey ? 1 : 3)) queue_.request(key, picture);
+}
+
+std::vector<GoboTableSlot> GoboStore::tables(std::span<const GoboTableKey> keys, bool waits) {
+    slots_.beginFrame();
+    for (const GoboTableKey& key : keys) request(key);
+    if (waits) queue_.wait();
+    upload(queue_.take());
+    std::vector<GoboTableSlot> result;
+    result.reserve(keys.size());
+    for (const GoboTableKey& key : keys) result.push_back(slots_.filled(key).value_or(GoboTableSlot{}));
+    return result;
+}
+
+void GoboStore::upload(const std::vector<GoboTableQueue::Finished>& finished) {
+    for (const auto& [key, table] : finished) {
+        const std::optional<GoboTableSlot> slot = slots_.fill(key);
+        if (!slot) continue;
+        growTables();
+        glBindTexture(GL_TEXTURE_2D_ARRAY, tables_.id());
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, slot->firstLayer, kGoboTableWidth, kGoboTableHeight,
+                        slot->layers, GL_RGBA, GL_HALF_FLOAT, table.halves.data());
+    }
+}
+
+void GoboStore::growTables() {
+    if (slots_.layersInUse() <= tableLayers_) return;
+    const int before = tableLayers_;
+    tableLayers_ = std::min(std::max(slots_.layersInUse(), 2 * before), mostTableLayers_);
+    const gl::Texture old = std::exchange(tables_, gl::makeTexture());
+    glBindTexture(GL_TEXTURE_2D_ARRAY, tables_.id());
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, kGoboTableWidth, kGoboTableHeight, tableLayers_, 0,
+                 GL_RGBA, GL_HALF_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    if (before == 0) return;
+    // OpenGL 4.1 has no copy from texture to texture.
+    std::vector<std::uint16_t> halves(static_cast<std::size_t>(before) * kGoboTableLayerHalves);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, old.id());
+    glGetTexImage(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA, GL_HALF_FLOAT, halves.data());
+    glBindTexture(GL_TEXTURE_2D_ARRAY, tables_.id());
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, kGoboTableWidth, kGoboTableHeight, before, GL_RGBA,
+                    GL_HALF_FLOAT, halves.data());
+}
+
 void GoboStore::list(Resources& resources) const {
     gl::listTexture(resources, "gobos", GL_TEXTURE_2D_ARRAY, texture_);
+    gl::listTexture(resources, "gobo tables", GL_TEXTURE_2D_ARRAY, tables_);
 }
 
 }  // namespace hazer::render

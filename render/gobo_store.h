@@ -1,19 +1,31 @@
-// Gobo pictures on the GPU: one texture array of linear transmission.
+// Gobos on the GPU: their pictures, and the tables of those that light the haze.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "render/gl/handle.h"
 #include "render/gobo_picture.h"
+#include "render/gobo_table_queue.h"
+#include "render/gobo_table_slots.h"
+#include "render/photometry.h"
 #include "render/resources.h"
 #include "render/scene.h"
 
 namespace hazer::render {
 
+/// The table that a beam's light in the air wants: none (gobo -1) without a gobo, and where the beam is so
+/// wide that a table would not do. The profile is rounded, finely, so that beams share.
+GoboTableKey goboTableKey(const Beam& beam, const BeamShape& shape);
+
 class GoboStore {
  public:
+    /// Tables never take more layers than this.
+    explicit GoboStore(int mostTableLayers = kMostGoboTableLayers)
+        : mostTableLayers_(mostTableLayers), slots_(mostTableLayers) {}
+
     /// See Renderer::addGobo.
     GoboId add(const std::uint8_t* rgba, int width, int height);
 
@@ -25,13 +37,30 @@ class GoboStore {
     /// A GL_TEXTURE_2D_ARRAY with mip levels; 0 while there are no gobos.
     GLuint texture();
 
+    /// Where the tables that a frame wants lie, one slot a key. Those that do not exist yet are built in the
+    /// background: their slots are empty until a later call, or, if `waits`, the call takes until they exist.
+    /// Slots are also empty where a frame wants more layers than there may be.
+    std::vector<GoboTableSlot> tables(std::span<const GoboTableKey> keys, bool waits);
+
+    /// A GL_TEXTURE_2D_ARRAY of tables; 0 before there are any.
+    GLuint tableTexture() const { return tables_.id(); }
+
     /// Adds what there is on the GPU.
     void list(Resources& resources) const;
 
  private:
+    void request(const GoboTableKey& key);
+    void upload(const std::vector<GoboTableQueue::Finished>& finished);
+    void growTables();
+
     std::vector<std::shared_ptr<const GoboPicture>> pictures_;
     gl::Texture texture_;
     std::size_t uploaded_ = 0;
+    int mostTableLayers_;
+    GoboTableSlots slots_;
+    gl::Texture tables_;
+    int tableLayers_ = 0;  ///< That tables_ has room for.
+    GoboTableQueue queue_;
 };
 
 }  // namespace hazer::render

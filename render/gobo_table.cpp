@@ -16,17 +16,16 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-/// Transmission of one channel, 0..1, bilinear, black beyond the picture. x and y in texels of the level from
-/// its middle, y upwards.
+/// Transmission of one channel, 0..1, as a texture unit finds it: bilinear, clamped to the edge. x and y in
+/// texels of the level from its middle, y upwards.
 float bilinear(const std::vector<std::uint8_t>& rgba, int size, int channel, float x, float y) {
     const float column = x + 0.5f * static_cast<float>(size - 1);
     const float row = 0.5f * static_cast<float>(size - 1) - y;
     const auto left = static_cast<int>(std::floor(column));
     const auto top = static_cast<int>(std::floor(row));
     const auto texel = [&](int right, int below) {
-        const int tx = left + right;
-        const int ty = top + below;
-        if (tx < 0 || ty < 0 || tx >= size || ty >= size) return 0.0f;
+        const int tx = std::clamp(left + right, 0, size - 1);
+        const int ty = std::clamp(top + below, 0, size - 1);
         return static_cast<float>(rgba[at(4 * (ty * size + tx) + channel)]);
     };
     const float fx = column - static_cast<float>(left);
@@ -303,10 +302,9 @@ std::vector<glm::vec4> goboLineMoments(const GoboPicture& picture, int channel, 
 GoboTable buildGoboTable(const GoboPicture& picture, const GoboProfile& profile,
                          const std::stop_token& stop) {
     glsl::GoboTableFormulas<float> formulas;
-    const std::size_t layerHalves = 4 * at(formulas.GOBO_TABLE_WIDTH * formulas.GOBO_TABLE_HEIGHT);
     GoboTable table;
     table.layers = picture.grey ? 1 : 3;
-    table.halves.resize(layerHalves * at(table.layers));
+    table.halves.resize(kGoboTableLayerHalves * at(table.layers));
     for (int layer = 0; layer < table.layers; ++layer) {
         for (int level = 0; level < formulas.GOBO_TABLE_LEVELS; ++level) {
             const glm::ivec4 place(formulas.goboTableLevel(level));
@@ -314,7 +312,7 @@ GoboTable buildGoboTable(const GoboPicture& picture, const GoboProfile& profile,
             const std::vector<glm::vec4> moments =
                 goboLineMoments(picture, layer, level, profile, grid, stop);
             if (moments.empty()) return {};
-            store(moments, place, formulas.GOBO_TABLE_WIDTH, &table.halves[layerHalves * at(layer)]);
+            store(moments, place, kGoboTableWidth, &table.halves[kGoboTableLayerHalves * at(layer)]);
         }
     }
     return table;

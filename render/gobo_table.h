@@ -2,6 +2,7 @@
 // moments. Pure CPU; takes some tenths of a second.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <stop_token>
 #include <vector>
@@ -19,9 +20,14 @@ struct GoboProfile {
     auto operator<=>(const GoboProfile&) const = default;
 };
 
+/// Texels of a layer: shaders/include/gobo_table.glsl has the same numbers.
+inline constexpr int kGoboTableWidth = 1156;
+inline constexpr int kGoboTableHeight = 260;
+inline constexpr std::size_t kGoboTableLayerHalves = std::size_t{4} * kGoboTableWidth * kGoboTableHeight;
+
 struct GoboTable {
     int layers = 0;  ///< 1: grey; 3: red, green, blue. 0: stopped.
-    /// Layer after layer, row after row, four 16-bit floats a texel: GOBO_TABLE_HEIGHT x GOBO_TABLE_WIDTH.
+    /// Layer after layer, row after row, four 16-bit floats a texel.
     std::vector<std::uint16_t> halves;
 };
 

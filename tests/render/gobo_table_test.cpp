@@ -425,6 +425,27 @@ TEST(GoboTable, CoefficientsAreExactForCubics) {
     }
 }
 
+TEST(GoboTable, HasTheShadersSize) {
+    const render::glsl::GoboTableFormulas<double> formulas;
+    EXPECT_EQ(formulas.GOBO_TABLE_WIDTH, render::kGoboTableWidth);
+    EXPECT_EQ(formulas.GOBO_TABLE_HEIGHT, render::kGoboTableHeight);
+    EXPECT_EQ(formulas.GOBO_TABLE_LEVELS, render::kGoboLevels);
+}
+
+TEST(GoboTable, ItsLevelsDoNotOverlap) {
+    render::glsl::GoboTableFormulas<double> formulas;
+    std::vector<int> taken(std::size_t{render::kGoboTableWidth} * render::kGoboTableHeight, 0);
+    for (int level = 0; level < formulas.GOBO_TABLE_LEVELS; ++level) {
+        const glm::ivec4 place(formulas.goboTableLevel(level));
+        ASSERT_LE(place.x + place.z + 1, render::kGoboTableWidth);
+        ASSERT_LE(place.y + place.w, render::kGoboTableHeight);
+        for (int row = place.y; row < place.y + place.w; ++row) {
+            for (int column = place.x; column <= place.x + place.z; ++column)
+                EXPECT_EQ(taken[static_cast<std::size_t>(row * render::kGoboTableWidth + column)]++, 0);
+        }
+    }
+}
+
 TEST(GoboTable, StopsWhenAskedTo) {
     std::stop_source stop;
     stop.request_stop();

@@ -1,0 +1,64 @@
+// Builds tables of gobos on a thread of its own, one after the other. Knows nothing of OpenGL.
+#pragma once
+
+#include <compare>
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "render/gobo_table.h"
+#include "render/scene.h"
+
+namespace hazer::render {
+
+/// What a table is of.
+struct GoboTableKey {
+    GoboId gobo = -1;
+    GoboProfile profile;
+    auto operator<=>(const GoboTableKey&) const = default;
+};
+
+class GoboTableQueue {
+ public:
+    struct Finished {
+        GoboTableKey key;
+        GoboTable table;
+    };
+
+    GoboTableQueue() = default;
+    /// Gives up what is not finished, and waits for the thread: some milliseconds.
+    ~GoboTableQueue();
+    GoboTableQueue(const GoboTableQueue&) = delete;
+    GoboTableQueue& operator=(const GoboTableQueue&) = delete;
+
+    /// Has a table built after those asked for before; asked twice, it is built twice. The first call starts
+    /// the thread.
+    void request(const GoboTableKey& key, std::shared_ptr<const GoboPicture> picture);
+
+    /// What has been finished since the last call.
+    std::vector<Finished> take();
+
+    /// Waits until all that was asked for is finished.
+    void wait();
+
+ private:
+    struct Request {
+        GoboTableKey key;
+        std::shared_ptr<const GoboPicture> picture;
+    };
+    std::optional<Request> nextRequest(const std::stop_token& stop);
+    void work(const std::stop_token& stop);
+
+    std::mutex mutex_;
+    std::condition_variable_any changed_;
+    std::deque<Request> requests_;
+    std::vector<Finished> finished_;
+    bool isBuilding_ = false;
+    std::jthread thread_;
+};
+
+}  // namespace hazer::render

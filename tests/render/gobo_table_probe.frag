@@ -1,0 +1,20 @@
+#version 410 core
+// Shows the table of a gobo: turns from left to right, distance from the middle upwards.
+#include "include/real.glsl"
+#include "include/phase.glsl"
+#include "include/beam_profile.glsl"
+#include "include/beam_ray.glsl"
+#include "include/gauss_legendre.glsl"
+#include "include/beam_medium.glsl"
+#include "include/gobo_table_picture.glsl"
+
+uniform vec2 viewportPx;
+uniform float layer;
+uniform float blurLevel;
+
+out vec4 moments;
+
+void main() {
+    vec2 place = gl_FragCoord.xy / viewportPx;
+    moments = goboMoments(GoboLine(place.x, place.y, vec2(1.0, 0.0), 0.0), layer, blurLevel);
+}
