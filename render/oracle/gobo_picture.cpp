@@ -45,10 +45,9 @@ glm::dvec3 GoboPicture::bilinear(const Level& level, const glm::dvec2& uv) {
     const glm::dvec2 base = glm::floor(at);
     const glm::dvec2 share = at - base;
     const auto texel = [&](int dx, int dy) {
-        const double x = base.x + dx;
-        const double y = base.y + dy;
-        if (!(x >= 0.0 && x < level.size && y >= 0.0 && y < level.size)) return glm::dvec3(0.0);
-        return level.texels[texelIndex(level.size, static_cast<int>(x), static_cast<int>(y))];
+        const double last = level.size - 1;
+        return level.texels[texelIndex(level.size, static_cast<int>(std::clamp(base.x + dx, 0.0, last)),
+                                       static_cast<int>(std::clamp(base.y + dy, 0.0, last)))];
     };
     return glm::mix(glm::mix(texel(0, 0), texel(1, 0), share.x), glm::mix(texel(0, 1), texel(1, 1), share.x),
                     share.y);
