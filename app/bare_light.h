@@ -9,8 +9,8 @@
 
 namespace hazer::app {
 
-/// One beam for each light, in the show's order. Gives their pictures to `assets`, each file once. Throws
-/// ShowError if one cannot be read.
+/// One beam for each light, in the show's order. Gives their gobos and webs to `assets`, each file once; what
+/// is not drawn of a web is logged. Throws ShowError if a file cannot be read.
 std::vector<render::Beam> lightBeams(const Show& show, render::AssetSink& assets);
 
 }  // namespace hazer::app

@@ -97,13 +97,32 @@ Json describeSlots(const fixtures::Fixture& fixture) {
     return slots;
 }
 
+double halfAngleDeg(const ShowLight& light) {
+    return glm::degrees(0.5 * light.beam.fieldAngleRad);
+}
+
+/// Its beam; what a web's file says is not repeated.
+std::string summarizeBeam(const ShowLight& light) {
+    std::vector<std::string> parts;
+    if (light.beam.intensityCd > 0.0) parts.push_back(fmt::format("{} cd", light.beam.intensityCd));
+    if (light.beam.fluxLm > 0.0) parts.push_back(fmt::format("{} lm", light.beam.fluxLm));
+    parts.push_back(light.webFile.empty() ? fmt::format("half angle {:g} degrees", halfAngleDeg(light))
+                                          : fmt::format("web {}", light.webFile.string()));
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 Json describeLight(const ShowLight& light) {
-    const bool isFlux = light.beam.fluxLm > 0.0;
-    return {{"name", light.name},
-            {"position_m", jsonOf(light.beam.lensPositionM)},
-            {"direction", jsonOf(-light.beam.worldFromBeam[2])},
-            {isFlux ? "lumen" : "candela", isFlux ? light.beam.fluxLm : light.beam.intensityCd},
-            {"half_angle_deg", glm::degrees(0.5 * light.beam.fieldAngleRad)}};
+    Json description{{"name", light.name},
+                     {"position_m", jsonOf(light.beam.lensPositionM)},
+                     {"direction", jsonOf(-light.beam.worldFromBeam[2])}};
+    if (light.beam.intensityCd > 0.0) description["candela"] = light.beam.intensityCd;
+    if (light.beam.fluxLm > 0.0) description["lumen"] = light.beam.fluxLm;
+    if (light.webFile.empty()) {
+        description["half_angle_deg"] = halfAngleDeg(light);
+    } else {
+        description["web"] = light.webFile.string();
+    }
+    return description;
 }
 
 }  // namespace
@@ -167,9 +186,7 @@ std::string summarizeShow(const Show& show, const Patch& patch) {
                        fixture.mode().name);
     }
     for (const ShowLight& light : show.lights) {
-        fmt::format_to(out, "  {:<20} {} {}, half angle {:g} degrees\n", light.name,
-                       light.beam.fluxLm > 0.0 ? light.beam.fluxLm : light.beam.intensityCd,
-                       light.beam.fluxLm > 0.0 ? "lm" : "cd", glm::degrees(0.5 * light.beam.fieldAngleRad));
+        fmt::format_to(out, "  {:<20} {}\n", light.name, summarizeBeam(light));
     }
     return text;
 }

@@ -18,7 +18,7 @@ nlohmann::ordered_json describeFixtureType(const fixtures::FixtureType& type);
 
 /// {"fixtures": [{"name", "gdtf", "mode", "protocol", "universe", "slots": {attribute: [slots from 1, most
 /// significant first]}}], "lights": [{"name", "position_m", "direction", "candela" or "lumen",
-/// "half_angle_deg"}]}. Where several channels have one attribute, its key is "geometry.attribute" from the
+/// "half_angle_deg" or "web"}]}. Where several channels have one attribute, its key is "geometry.attribute" from the
 /// second on.
 nlohmann::ordered_json describeShow(const Show& show, const Patch& patch);
 

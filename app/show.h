@@ -48,11 +48,15 @@ struct ShowFixture {
     std::size_t line = 0;  ///< In the show file, for messages about what the GDTF turns out to hold.
 };
 
+/// A gobo is a flat picture before the lamp: at 90 degrees its edge would be infinitely far away. Half angle.
+inline constexpr double kWidestGoboRad = 89.0 * 3.14159265358979323846 / 180.0;
+
 /// A light given by numbers, with no fixture around it and no DMX. Its lens is not drawn.
 struct ShowLight {
     std::string name;                ///< Unique among lights and fixtures.
-    render::Beam beam;               ///< Whole but for the handle of its gobo.
+    render::Beam beam;               ///< Whole but for the handles of its gobo and web.
     std::filesystem::path goboFile;  ///< As ShowObject::modelFile; empty: none.
+    std::filesystem::path webFile;   ///< The same; LM-63, in place of the beam's angles.
     std::size_t line = 0;            ///< In the show file.
 };
 

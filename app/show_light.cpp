@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/light_color.h"
@@ -17,11 +20,11 @@ constexpr Limits kIntensity{1e-3, 1e9};     // cd, lm
 constexpr Limits kHalfAngle{0.005, 179.0};  // deg
 constexpr Limits kLensRadius{0.0, 10.0};    // m
 constexpr Limits kFocus{0.0, 1e5};          // m
-/// A gobo is a flat picture before the lamp: at 90 degrees its edge would be infinitely far away.
-constexpr double kWidestGoboDeg = 89.0;
 
-// In the order of render::BeamEdge.
-const std::vector<std::string> kProfiles{"flat", "soft"};
+enum class Profile : std::uint8_t { kFlat, kSoft, kWeb };
+
+// In the order of Profile.
+const std::vector<std::string> kProfiles{"flat", "soft", "web"};
 
 /// Without the length's own unit under way, so that neither the largest nor the smallest numbers overflow.
 glm::dvec3 unitOf(const glm::dvec3& v) {
@@ -64,27 +67,43 @@ void readPose(TomlReader& reader, render::Beam& beam) {
     beam.worldFromBeam = glm::dmat3(right, glm::cross(right, direction), -direction);
 }
 
-void readIntensity(TomlReader& reader, render::Beam& beam) {
-    if (reader.requiredOneOf("candela", "lumen") == "candela") {
-        beam.intensityCd = reader.requiredNumber("candela", kIntensity);
-    } else {
-        beam.fluxLm = reader.requiredNumber("lumen", kIntensity);
-    }
+/// A web brings its own intensity, which the show may replace; other beams need one.
+void readIntensity(TomlReader& reader, Profile profile, render::Beam& beam) {
+    std::optional<std::string_view> key = reader.oneOf("candela", "lumen");
+    if (!key && profile != Profile::kWeb) key = reader.requiredOneOf("candela", "lumen");
+    if (key == "candela") beam.intensityCd = reader.requiredNumber("candela", kIntensity);
+    if (key == "lumen") beam.fluxLm = reader.requiredNumber("lumen", kIntensity);
 }
 
-void readProfile(TomlReader& reader, render::Beam& beam) {
-    beam.edge = static_cast<render::BeamEdge>(reader.choice("profile", kProfiles, 0));
+void readAngles(TomlReader& reader, Profile profile, render::Beam& beam) {
     const double halfAngleDeg = reader.requiredNumber("half_angle", kHalfAngle);
     double beamHalfAngleDeg = halfAngleDeg;
-    if (beam.edge == render::BeamEdge::kSoft) {
+    if (profile == Profile::kSoft) {
         beamHalfAngleDeg = reader.requiredNumber("beam_half_angle", {kHalfAngle.lowest, halfAngleDeg});
     } else if (reader.has("beam_half_angle")) {
         reader.fail("'beam_half_angle' in [[light]] needs profile = \"soft\"; a flat beam has one angle");
     }
+    beam.edge = profile == Profile::kSoft ? render::BeamEdge::kSoft : render::BeamEdge::kFlat;
     beam.fieldAngleRad = glm::radians(2.0 * halfAngleDeg);
     beam.beamAngleRad = glm::radians(2.0 * beamHalfAngleDeg);
-    beam.lensRadiusM = reader.number("lens_radius", 0.0, kLensRadius);
-    beam.showsLens = false;
+}
+
+/// The file of a beam that has been measured; empty for one that is described.
+std::filesystem::path readProfile(TomlReader& reader, render::Beam& beam,
+                                  const std::filesystem::path& folder) {
+    const auto profile = static_cast<Profile>(reader.choice("profile", kProfiles, 0));
+    readIntensity(reader, profile, beam);
+    if (profile != Profile::kWeb) {
+        readAngles(reader, profile, beam);
+        if (reader.has("web")) reader.fail("'web' in [[light]] needs profile = \"web\"");
+        return {};
+    }
+    for (const char* key : {"half_angle", "beam_half_angle"}) {
+        if (reader.has(key)) {
+            reader.fail(fmt::format("'{}' in [[light]] is what the 'web' says; leave it out", key));
+        }
+    }
+    return folder / reader.requiredText("web");
 }
 
 /// The colour with luminance 1, so that candela stay candela.
@@ -105,8 +124,9 @@ std::filesystem::path readGobo(TomlReader& reader, render::Beam& beam, const std
         }
         return {};
     }
-    if (beam.fieldAngleRad > glm::radians(2.0 * kWidestGoboDeg)) {
-        reader.fail(fmt::format("a light with a 'gobo' needs a 'half_angle' of at most {}", kWidestGoboDeg));
+    if (beam.fieldAngleRad > 2.0 * kWidestGoboRad) {
+        reader.fail(fmt::format("a light with a 'gobo' needs a 'half_angle' of at most {}",
+                                glm::degrees(kWidestGoboRad)));
     }
     beam.goboRotationRad = glm::radians(reader.number("gobo_rotation", 0.0, kAngle));
     beam.focusDistanceM = reader.number("focus", 0.0, kFocus);
@@ -120,8 +140,9 @@ ShowLight readLight(TomlReader& reader, const std::filesystem::path& folder) {
     light.line = reader.line();
     light.name = reader.requiredText("name");
     readPose(reader, light.beam);
-    readIntensity(reader, light.beam);
-    readProfile(reader, light.beam);
+    light.webFile = readProfile(reader, light.beam, folder);
+    light.beam.lensRadiusM = reader.number("lens_radius", 0.0, kLensRadius);
+    light.beam.showsLens = false;
     light.beam.color = readLightColor(reader);
     light.goboFile = readGobo(reader, light.beam, folder);
     light.beam.castsShadow = reader.flag("shadow", true);

@@ -9,6 +9,7 @@
 #include "app/paths.h"
 #include "protocol/sender.h"
 #include "render/image.h"
+#include "tests/render/ies_text.h"
 #include "tests/support/datagram.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -184,6 +185,33 @@ TEST_F(RenderTest, goboOfABareLight) {
     std::filesystem::copy(libraryFolder() / "moving-spot/wheels/bars.png", folder_.path() / "f.png");
     const test::ProcessResult lit = render(show, {"--out", fileIn("a.exr")});
     ASSERT_EQ(lit.exitCode, 0) << lit.errors;
+    EXPECT_GT(brightest(render::readFloatImage(fileIn("a.exr"))), 0.1);
+}
+
+TEST_F(RenderTest, webOfABareLight) {
+    const std::string light =
+        "\n[[light]]\nname='a'\nposition=[0,0,6]\ndirection=[0,0,-1]\nprofile='web'\nweb='lamp.ies'\n";
+    const std::string show = folder_.write("a.toml", light).string();
+    const auto expectSaid = [&](const char* what) {
+        const test::ProcessResult result = render(show, {"--out", fileIn("a.exr")});
+        EXPECT_EQ(result.exitCode, 2);
+        EXPECT_THAT(result.errors, HasSubstr("hazer: " + show + ":2: "));
+        EXPECT_THAT(result.errors, HasSubstr(what));
+        EXPECT_THAT(result.errors, HasSubstr("lamp.ies"));
+    };
+    expectSaid("cannot be opened");
+    const test::IesText lamp{.tilt = "TILT=INCLUDE\n1\n2\n0 90\n1 1", .verticalDeg = {0.0, 60.0, 90.0}};
+    folder_.write("lamp.ies", lamp.text().substr(0, 60));
+    expectSaid("ends");
+    folder_.write("lamp.ies", lamp.text());
+    folder_.write("a.toml", light + "gobo='f.png'\n");
+    std::filesystem::copy(libraryFolder() / "moving-spot/wheels/bars.png", folder_.path() / "f.png");
+    expectSaid("too wide a beam for a gobo");
+    folder_.write("a.toml", light + "candela=20000\n");
+    const test::ProcessResult lit = render(show, {"--out", fileIn("a.exr")});
+    ASSERT_EQ(lit.exitCode, 0) << lit.errors;
+    EXPECT_THAT(lit.errors, StartsWith("hazer: warning: " + show + ":2: "));
+    EXPECT_THAT(lit.errors, HasSubstr("TILT=INCLUDE"));
     EXPECT_GT(brightest(render::readFloatImage(fileIn("a.exr"))), 0.1);
 }
 

@@ -153,6 +153,9 @@ TEST(Inspect, bareLights) {
     EXPECT_THAT(hazer({"inspect", file}).output, HasSubstr("20000 cd, half angle 12 degrees"));
     folder.write("a.toml", lamp + "lumen=900\n");
     EXPECT_THAT(hazer({"inspect", file}).output, HasSubstr("900 lm, half angle 12 degrees"));
+    folder.write("a.toml",
+                 "[[light]]\nname='a'\nposition=[0,0,6]\ndirection=[0,3,0]\nprofile='web'\nweb='b.ies'");
+    EXPECT_THAT(hazer({"inspect", file}).output, HasSubstr("web " + (folder.path() / "b.ies").string()));
 }
 
 TEST(Inspect, libraryFixtureAsJson) {

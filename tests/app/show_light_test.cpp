@@ -110,6 +110,20 @@ TEST(ShowLight, hasAGoboFromTheFolderOfTheShow) {
     EXPECT_EQ(spot.beam.focusDistanceM, 7.5);
 }
 
+TEST(ShowLight, hasAWebThatSaysItsBeam) {
+    const ShowLight measured = light(kPose + "profile='web'\nweb='ies/par.ies'");
+    EXPECT_EQ(measured.webFile, "folder/ies/par.ies");
+    EXPECT_EQ(measured.beam.intensityCd, 0.0);
+    EXPECT_EQ(measured.beam.fluxLm, 0.0);
+    EXPECT_EQ(light(kPose + "profile='web'\nweb='a.ies'\nlumen=70").beam.fluxLm, 70.0);
+    EXPECT_THAT(errorOf(kPose + "profile='web'"), HasSubstr("needs 'web'"));
+    EXPECT_THAT(errorOf(kPose + "profile='web'\nweb=''"), HasSubstr("'web' in [[light]] must not be empty"));
+    EXPECT_THAT(errorOf(kPose + kPower + "web='a.ies'"), HasSubstr("needs profile = \"web\""));
+    EXPECT_THAT(errorOf(kPose + "profile='web'\nweb='a.ies'\nhalf_angle=9"),
+                HasSubstr("'half_angle' in [[light]] is what the 'web' says; leave it out"));
+    EXPECT_THAT(errorOf(kPose + "profile='web'\nweb='a.ies'\ncandela=1\nlumen=1"), HasSubstr("keep one"));
+}
+
 TEST(ShowLight, namesWhatIsMissing) {
     EXPECT_THAT(errorOf(""), StartsWith("folder/a.toml:1: [[light]] needs 'position'"));
     EXPECT_THAT(errorOf("position=[0,0,1]"), HasSubstr("needs 'direction' or 'target'"));
