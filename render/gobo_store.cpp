@@ -1,7 +1,6 @@
 #include "render/gobo_store.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "render/gl/inventory.h"
@@ -20,25 +19,7 @@ void uploadLevel(const std::vector<std::shared_ptr<const GoboPicture>>& pictures
     }
 }
 
-/// The tables' cubic does not follow what a wider beam's light does along a ray.
-constexpr double kWidestHalfAngleRad = 0.61;
-/// Steps of a rounded profile: the intensity is less than 0.3 % of the peak off, at the steepest edge.
-constexpr double kBeamOverFieldSteps = 1024.0;
-constexpr double kExponentSteps = 128.0;
-
-double rounded(double value, double steps) {
-    return std::round(value * steps) / steps;
-}
-
 }  // namespace
-
-GoboTableKey goboTableKey(const Beam& beam, const BeamShape& shape) {
-    if (beam.gobo < 0 || shape.fieldHalfAngleRad > kWidestHalfAngleRad) return {};
-    if (shape.exponent == 0.0) return {beam.gobo, {}};
-    const double beamOverField = shape.beamHalfAngleRad / shape.fieldHalfAngleRad;
-    return {beam.gobo,
-            {rounded(beamOverField, kBeamOverFieldSteps), rounded(shape.exponent, kExponentSteps)}};
-}
 
 GoboId GoboStore::add(const std::uint8_t* rgba, int width, int height) {
     pictures_.push_back(std::make_shared<const GoboPicture>(makeGoboPicture(rgba, width, height)));

@@ -10,15 +10,10 @@
 #include "render/gobo_picture.h"
 #include "render/gobo_table_queue.h"
 #include "render/gobo_table_slots.h"
-#include "render/photometry.h"
 #include "render/resources.h"
 #include "render/scene.h"
 
 namespace hazer::render {
-
-/// The table that a beam's light in the air wants: none (gobo -1) without a gobo, and where the beam is so
-/// wide that a table would not do. The profile is rounded, finely, so that beams share.
-GoboTableKey goboTableKey(const Beam& beam, const BeamShape& shape);
 
 class GoboStore {
  public:

@@ -2,6 +2,7 @@
 // moments. Pure CPU; takes some tenths of a second.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <stop_token>
@@ -10,6 +11,7 @@
 #include <glm/glm.hpp>
 
 #include "render/gobo_picture.h"
+#include "render/scene.h"
 
 namespace hazer::render {
 
@@ -18,6 +20,20 @@ struct GoboProfile {
     double beamOverField = 1.0;  ///< Angle of 50 % over the field angle, (0, 1].
     double exponent = 0.0;       ///< Of the super-Gaussian, 1..12; 0: flat.
     auto operator<=>(const GoboProfile&) const = default;
+};
+
+/// What a table is of.
+struct GoboTableKey {
+    GoboId gobo = -1;
+    GoboProfile profile;
+    auto operator<=>(const GoboTableKey&) const = default;
+};
+
+/// Where a table lies among the layers on the GPU.
+struct GoboTableSlot {
+    int firstLayer = -1;  ///< -1: there is no table (yet); the shader takes taps.
+    int layers = 0;       ///< 1: grey; 3: red, green, blue.
+    bool operator==(const GoboTableSlot&) const = default;
 };
 
 /// Texels of a layer: shaders/include/gobo_table.glsl has the same numbers.

@@ -1,7 +1,6 @@
 // Builds tables of gobos on a thread of its own, one after the other. Knows nothing of OpenGL.
 #pragma once
 
-#include <compare>
 #include <condition_variable>
 #include <deque>
 #include <memory>
@@ -11,16 +10,8 @@
 #include <vector>
 
 #include "render/gobo_table.h"
-#include "render/scene.h"
 
 namespace hazer::render {
-
-/// What a table is of.
-struct GoboTableKey {
-    GoboId gobo = -1;
-    GoboProfile profile;
-    auto operator<=>(const GoboTableKey&) const = default;
-};
 
 class GoboTableQueue {
  public:

@@ -6,16 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "render/gobo_table_queue.h"
+#include "render/gobo_table.h"
 
 namespace hazer::render {
-
-/// Where a beam's table lies, as shaders/include/gobo_table.glsl wants it.
-struct GoboTableSlot {
-    int firstLayer = -1;  ///< -1: there is no table (yet); the shader takes taps.
-    int layers = 0;       ///< 1: grey; 3: red, green, blue.
-    bool operator==(const GoboTableSlot&) const = default;
-};
 
 /// Bounds the memory of tables: 2.4 MB a layer.
 inline constexpr int kMostGoboTableLayers = 48;
