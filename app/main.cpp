@@ -53,6 +53,7 @@ int main(int argumentCount, char** arguments) {
     addReportCommand(program, chosen);
     addSendCommand(program, chosen);
     addInspectCommand(program, chosen);
+    addExplainCommand(program, chosen);
     try {
         program.parse(argumentCount, arguments);
     } catch (const CLI::ParseError& error) {

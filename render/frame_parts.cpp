@@ -56,9 +56,10 @@ std::string counted(std::size_t count, const char* one, const char* many) {
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-/// "1 of 5 lit lamps has", "2 of 5 lit lamps have".
+/// "1 of 5 lit lamps has", "2 of 5 lit lamps have"; "the lit lamp has" where there is but one.
 std::string ofLit(std::size_t count, const SummaryInputs& in, const char* has, const char* have,
                   const char* what) {
+    if (in.plan.lit.size() == 1) return fmt::format("the lit lamp {} {}", has, what);
     return fmt::format("{} of {} lit lamps {} {}", count, in.plan.lit.size(), count == 1 ? has : have, what);
 }
 
@@ -128,8 +129,7 @@ FramePart meshes(const SummaryInputs& in) {
 FramePart surfaceLight(const SummaryInputs& in) {
     const std::size_t beams = beamsIn(in.plan.surfaceGroups);
     FramePart part = named("light on surfaces", !in.plan.surfaceGroups.empty());
-    part.reason = part.needed           ? counted(in.plan.lit.size(), "lit lamp may light surfaces",
-                                                  "lit lamps may light surfaces")
+    part.reason = part.needed           ? ofLit(beams, in, "reaches", "reach", "a body")
                   : in.plan.lit.empty() ? kNoLampIsLit
                   : !in.plan.surfaces   ? "the scene has no body"
                                         : "no lit lamp reaches a body";

@@ -27,6 +27,7 @@ void addRenderCommand(CLI::App& program, Command& chosen);
 void addReportCommand(CLI::App& program, Command& chosen);
 void addSendCommand(CLI::App& program, Command& chosen);
 void addInspectCommand(CLI::App& program, Command& chosen);
+void addExplainCommand(CLI::App& program, Command& chosen);
 
 /// Lets the help of a command (or of the program) begin with examples, one a line.
 void beginHelpWith(CLI::App& command, const std::string& examples);
