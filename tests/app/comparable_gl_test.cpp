@@ -29,7 +29,7 @@ struct Numbers {
     double candela = 10000.0, halfAngleDeg = 16.0;
     double beamHalfAngleDeg = 0.0;  // 0: a flat beam
     double lensRadiusM = 0.0;
-    glm::dvec3 albedo{0.6, 0.5, 0.3};
+    glm::dvec3 color{1.0, 1.0, 1.0}, albedo{0.6, 0.5, 0.3};
     glm::dvec3 eyeM{1.5, -8.0, 2.6}, eyeTargetM{0.3, 0.0, 2.6};
     double fovDeg = 40.0;
 };
@@ -44,11 +44,12 @@ std::string showOf(const Numbers& n) {
     return fmt::format(
         "[haze]\nextinction={}\nscattering={}\nphase={{g={}}}\n"
         "[[camera]]\nname='c'\nposition={}\ntarget={}\nfov={}\n"
-        "[[light]]\nname='key'\nposition={}\ntarget={}\ncandela={}\nhalf_angle={}\nprofile={}\nlens_radius={}"
-        "\n"
+        "[[light]]\nname='key'\nposition={}\ntarget={}\ncandela={}\nhalf_angle={}\nprofile={}\n"
+        "lens_radius={}\ncolor={}\n"
         "[[object]]\ntype='floor'\nsize=[80,80]\nspecular=0\nalbedo={}\n",
         n.extinctionPerM, n.scatteringPerM, n.g, toml(n.eyeM), toml(n.eyeTargetM), n.fovDeg, toml(n.lampM),
-        toml(n.lampTargetM), n.candela, n.halfAngleDeg, profile, n.lensRadiusM, toml(n.albedo));
+        toml(n.lampTargetM), n.candela, n.halfAngleDeg, profile, n.lensRadiusM, toml(n.color),
+        toml(n.albedo));
 }
 
 /// The beam as the oracle has it, for 1 cd.
@@ -113,7 +114,8 @@ glm::dvec3 expected(const Numbers& n, int x, int y) {
                      render::oracle::airRadiance(
                          beam, haze, {lampFromWorld * (n.eyeM - apexM), lampFromWorld * ray, endM}));
     if (meetsFloor) light += floorRadiance(n, beam, apexM, axis, n.eyeM + ray * endM, endM);
-    return light;
+    // Luminance of the Rec. 709 primaries (ITU-R BT.709): a coloured light has the candela of a white one.
+    return light * n.color / glm::dot(n.color, glm::dvec3(0.2126, 0.7152, 0.0722));
 }
 
 /// hazer over expected, of all lit pixels and colours: sorted distances from 1, and the mean.
@@ -227,6 +229,56 @@ TEST_F(Comparable, narrowAndWideBeams) {
     numbers.eyeTargetM = {0.25, 0.15, 2.9};
     numbers.fovDeg = 8.0;
     expectEquation(drawn(written(numbers)), numbers);
+}
+
+TEST_F(Comparable, colouredLightOnNeutralSurfaces) {
+    Numbers numbers;
+    numbers.color = {0.9, 0.5, 0.15};
+    numbers.albedo = glm::dvec3(0.5);
+    expectEquation(drawn(written(numbers)), numbers);
+}
+
+/// Open in the upper right quarter alone.
+void writeQuarter(const std::filesystem::path& file) {
+    constexpr std::size_t kSide = 32;
+    render::ByteImage image{kSide, kSide, std::vector<std::uint8_t>(3 * kSide * kSide, 0)};
+    for (std::size_t y = 0; y < kSide / 2; ++y) {
+        const auto row = image.rgb.begin() + static_cast<std::ptrdiff_t>(3 * y * kSide);
+        std::fill(row + 3 * kSide / 2, row + 3 * kSide, std::uint8_t{255});
+    }
+    render::writeImage(image, file);
+}
+
+/// Light on the floor in the four quarters around its middle, seen from above, where +X is right and +Y up.
+std::string litQuarters(const render::FloatImage& image) {
+    std::string lit;
+    for (const bool up : {true, false}) {
+        for (const bool right : {false, true}) {
+            const float light = image.at(kWidth / 2 + (right ? 4 : -5), kHeight / 2 + (up ? -5 : 4))[0];
+            if (light > 1.0f) lit += fmt::format("{} {}", up ? "upper" : "lower", right ? "right" : "left");
+        }
+    }
+    return lit;
+}
+
+TEST_F(Comparable, theGoboLiesAsUpAndRotationSay) {
+    writeQuarter(folder_.path() / "f.png");
+    const auto quarter = [&](const char* keys) {
+        return litQuarters(
+            drawn(folder_
+                      .write("a.toml",
+                             fmt::format(
+                                 "[haze]\nextinction=0\n"
+                                 "[[camera]]\nname='c'\nposition=[0,-0.001,5]\ntarget=[0,0,0]\nfov=30\n"
+                                 "[[light]]\nname='a'\nposition=[0,0,6]\ndirection=[0,0,-1]\nhalf_angle=10\n"
+                                 "candela=1000\ngobo='f.png'\n{}\n[[object]]\ntype='floor'\n",
+                                 keys))
+                      .string()));
+    };
+    EXPECT_EQ(quarter(""), "upper right");
+    EXPECT_EQ(quarter("up=[1,0,0]"), "lower right");
+    EXPECT_EQ(quarter("up=[0,-1,0]"), "lower left");
+    EXPECT_EQ(quarter("gobo_rotation=90"), "upper left");
 }
 
 // Exposure and bloom are what a screen needs; an EXR has neither.
