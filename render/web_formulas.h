@@ -28,7 +28,8 @@ struct WebFormulas {
         const auto texel = [&](int right, int below) {
             const int wrapped =
                 ((static_cast<int>(column) + right) % kWebAzimuths + kWebAzimuths) % kWebAzimuths;
-            return Real(web.relative[static_cast<std::size_t>((row + below) * kWebAzimuths + wrapped)]);
+            const auto line = static_cast<std::size_t>(row + below);
+            return Real(web.relative[line * kWebAzimuths + static_cast<std::size_t>(wrapped)]);
         };
         return (Real(1) - down) * ((Real(1) - across) * texel(0, 0) + across * texel(1, 0)) +
                down * ((Real(1) - across) * texel(0, 1) + across * texel(1, 1));

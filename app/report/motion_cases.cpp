@@ -1,6 +1,7 @@
 #include "app/report/motion_cases.h"
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace hazer::app {
@@ -24,8 +25,10 @@ MotionCase withLimits(const std::string& name, fixtures::MotionLimits limits, do
 
 /// A fader swept up and down, as a console sends it: 44 values a second.
 std::vector<MotionLeg> sweptFader() {
+    constexpr int kValues = 440;
     std::vector<MotionLeg> legs;
-    for (int i = 0; i < 440; ++i) legs.push_back({120.0 * std::sin(0.05 * i), 1.0 / 44.0});
+    legs.reserve(kValues + 1);
+    for (int i = 0; i < kValues; ++i) legs.push_back({120.0 * std::sin(0.05 * i), 1.0 / 44.0});
     legs.push_back({0.0, 20.0});
     return legs;
 }
@@ -33,6 +36,7 @@ std::vector<MotionLeg> sweptFader() {
 /// Two targets in turn, `times` times.
 std::vector<MotionLeg> inTurn(double a, double b, double durationS, int times) {
     std::vector<MotionLeg> legs;
+    legs.reserve(static_cast<std::size_t>(times) + 1);
     for (int i = 0; i < times; ++i) legs.push_back({i % 2 == 0 ? a : b, durationS});
     legs.push_back({a, 20.0});
     return legs;
