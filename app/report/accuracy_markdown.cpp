@@ -51,17 +51,21 @@ std::string summary(const AccuracyReport& report) {
     return text;
 }
 
-std::string oracleSentence(const OracleCheck& check) {
+std::string oracleSentence(const char* light, const OracleCheck& check) {
     return fmt::format(
-        "The converged picture differs from the oracle by {} (rms) over {} lit pixels, {} at the worst; {} "
+        "The converged picture of the light {} differs from the oracle by {} (rms) over {} lit pixels, {} at "
+        "the worst; {} "
         "more on outlines of\nbodies were left out.\n",
-        percent(check.rmsRel), check.pixels, percent(check.maxRel), check.outlines);
+        light, percent(check.rmsRel), check.pixels, percent(check.maxRel), check.outlines);
 }
 
 std::string sceneSection(const AccuracyScene& scene) {
     std::string text = fmt::format("\n## {}\n\n{}.\n\n![Error against time]({})\n\n", scene.name, scene.title,
                                    plotFile(scene));
-    if (scene.oracle) text += oracleSentence(*scene.oracle) + "\n";
+    if (scene.oracle) text += oracleSentence("in the air", *scene.oracle) + "\n";
+    if (scene.wholeOracle) {
+        text += oracleSentence("in the air and on surfaces", *scene.wholeOracle) + "\n";
+    }
     text +=
         "| integrator | setting | air ms | frame ms | rms | 99 % | worst |\n|---|---|---|---|---|---|---|\n";
     for (const AccuracyRow& row : scene.rows) {

@@ -21,7 +21,7 @@ struct AccuracyRow {
     PictureError error;          ///< Against the converged picture.
 };
 
-/// How far the converged picture is from the oracle, over some of its lit pixels; shares of the root mean
+/// How far a converged picture is from the oracle, over some of its lit pixels; shares of the root mean
 /// square of the oracle's light there.
 struct OracleCheck {
     std::size_t pixels = 0;
@@ -33,9 +33,10 @@ struct OracleCheck {
 struct AccuracyScene {
     std::string name;
     std::string title;
-    std::vector<AccuracyRow> rows;  ///< Of one integrator together, from cheap to dear.
-    std::optional<OracleCheck> oracle;
-    std::vector<std::string> notes;  ///< Sentences: what was left out, and why.
+    std::vector<AccuracyRow> rows;           ///< Of one integrator together, from cheap to dear.
+    std::optional<OracleCheck> oracle;       ///< Of the light in the air alone, which rows are held against.
+    std::optional<OracleCheck> wholeOracle;  ///< Of the show's picture, with surfaces.
+    std::vector<std::string> notes;          ///< Sentences: what was left out, and why.
 };
 
 struct AccuracyReport {

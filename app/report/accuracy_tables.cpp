@@ -24,12 +24,10 @@ ordered_json rowJson(const std::string& scene, const AccuracyRow& row) {
             {"lit_pixels", row.error.litPixels}};
 }
 
-ordered_json oracleJson(const std::string& scene, const OracleCheck& check) {
-    return {{"scene", scene},
-            {"pixels", check.pixels},
-            {"outlines", check.outlines},
-            {"rms_rel", check.rmsRel},
-            {"max_rel", check.maxRel}};
+ordered_json oracleJson(const std::string& scene, const char* light, const OracleCheck& check) {
+    return {{"scene", scene},          {"light", light},
+            {"pixels", check.pixels},  {"outlines", check.outlines},
+            {"rms_rel", check.rmsRel}, {"max_rel", check.maxRel}};
 }
 
 ordered_json equalErrorJson(const std::string& scene, const EqualError& equal) {
@@ -61,7 +59,10 @@ ordered_json accuracyJson(const AccuracyReport& report) {
                       {"notes", ordered_json::array()}};
     for (const AccuracyScene& scene : report.scenes) {
         for (const AccuracyRow& row : scene.rows) json["rows"].push_back(rowJson(scene.name, row));
-        if (scene.oracle) json["oracle"].push_back(oracleJson(scene.name, *scene.oracle));
+        if (scene.oracle) json["oracle"].push_back(oracleJson(scene.name, "air", *scene.oracle));
+        if (scene.wholeOracle) {
+            json["oracle"].push_back(oracleJson(scene.name, "air and surfaces", *scene.wholeOracle));
+        }
         if (const auto equal = equalError(scene)) {
             json["equal_error"].push_back(equalErrorJson(scene.name, *equal));
         }

@@ -10,7 +10,7 @@ namespace hazer::app {
 
 /// {"device", "size": [w, h], "rows": [{"scene", "integrator", "setting", "samples", "ms_median", "rms_rel",
 /// "p99_rel", "max_rel", "unlit_max_rel", "frame_ms_median", "frames", "lit_pixels"}], "oracle": [{"scene",
-/// "pixels", "outlines", "rms_rel", "max_rel"}], "equal_error": [{"scene", "rms_rel", "angle_ms",
+/// "light", "pixels", "outlines", "rms_rel", "max_rel"}], "equal_error": [{"scene", "rms_rel", "angle_ms",
 /// "uniform_ms", "uniform_reaches_it", "uniform_rms_rel", "times_faster"}], "notes": [{"scene", "note"}]}.
 /// Errors that are no numbers are null.
 nlohmann::ordered_json accuracyJson(const AccuracyReport& report);

@@ -70,7 +70,7 @@ OracleResult checkAgainstOracle(const render::FloatImage& picture, const render:
             continue;
         }
         append(lightAt(picture, pixel), drawn);
-        append(glm::vec3(oracle.air(x, y)), expected);
+        append(glm::vec3(oracle.air(x, y) + oracle.surface(x, y)), expected);
     }
     const PictureError error = pictureError(drawn, expected);
     check.pixels = error.litPixels;

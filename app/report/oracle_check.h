@@ -16,9 +16,9 @@ struct OracleResult {
     std::string why;
 };
 
-/// Compares up to `pixels` lit pixels, always the same ones of a picture, with what the oracle says about
-/// their centres. `picture` holds the light in the air of `scene` alone, as the renderer drew it; the
-/// renderer still knows the scene's meshes and gobos.
+/// Compares up to `pixels` lit pixels, always the same ones of a picture, with what the oracle says about the
+/// light in the air and on surfaces at their centres. `picture` is `scene` as the renderer drew it, without
+/// lenses; the renderer still knows the scene's meshes and gobos.
 OracleResult checkAgainstOracle(const render::FloatImage& picture, const render::Scene& scene,
                                 const render::Camera& camera, const render::Renderer& renderer, int pixels);
 

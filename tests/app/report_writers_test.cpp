@@ -80,6 +80,7 @@ TEST(AccuracyJson, hasWhatMachinesExpect) {
     }
     EXPECT_EQ(json["rows"][1]["samples"], 110);
     EXPECT_EQ(json["oracle"][0]["pixels"], 200);
+    EXPECT_EQ(json["oracle"][0]["light"], "air");
     EXPECT_EQ(json["equal_error"][0]["uniform_reaches_it"], true);
     EXPECT_EQ(json["notes"][0]["scene"], "plain");
 }
@@ -111,7 +112,7 @@ TEST(AccuracyMarkdown, saysHowMuchFasterAtEqualError) {
     EXPECT_THAT(text, HasSubstr("64 x 48 pixels"));
     EXPECT_THAT(text, HasSubstr("| 100.0 ms | 200 |"));
     EXPECT_THAT(text, HasSubstr("(accuracy-plain.svg)"));
-    EXPECT_THAT(text, HasSubstr("differs from the oracle by 0.01 % (rms) over 200 lit pixels"));
+    EXPECT_THAT(text, HasSubstr("in the air differs from the oracle by 0.01 % (rms) over 200 lit pixels"));
     EXPECT_THAT(text, HasSubstr("would take long."));
 }
 
