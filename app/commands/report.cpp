@@ -12,11 +12,13 @@ void addReportCommand(CLI::App& program, Command& chosen) {
         "report", "Measure what pictures are worth and what they cost on this machine.");
     beginHelpWith(*command,
                   "  hazer report accuracy                 error against run time, with plots\n"
-                  "  hazer report speed myshow.toml        how long each pass of a frame takes\n");
+                  "  hazer report speed myshow.toml        how long each pass of a frame takes\n"
+                  "  hazer report stability                stiff and extreme cases, number by number\n");
     // One or none, as for the program itself: a mistyped report is then named.
     command->require_subcommand(0, 1);
     addAccuracyReport(*command, chosen);
     addSpeedReport(*command, chosen);
+    addStabilityReport(*command, chosen);
     command->callback([command, &chosen] {
         if (!command->get_subcommands().empty()) return;
         chosen = [command] {
