@@ -1,5 +1,7 @@
 #include "render/asset_list.h"
 
+#include "render/gobo_picture.h"
+
 namespace hazer::render {
 
 MeshId AssetList::addMesh(const Mesh& mesh) {
@@ -8,8 +10,9 @@ MeshId AssetList::addMesh(const Mesh& mesh) {
     return static_cast<MeshId>(bounds_.size()) - 1;
 }
 
-GoboId AssetList::addGobo(const std::uint8_t* /*rgba*/, int /*width*/, int /*height*/) {
-    return gobos_++;
+GoboId AssetList::addGobo(const std::uint8_t* rgba, int width, int height) {
+    layersOfGoboTables_.push_back(makeGoboPicture(rgba, width, height).grey ? 1 : 3);
+    return static_cast<GoboId>(layersOfGoboTables_.size()) - 1;
 }
 
 WebId AssetList::addWeb(const IesWeb& web) {

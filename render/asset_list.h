@@ -14,6 +14,7 @@ struct AssetCounts {
     std::size_t meshBytes = 0;  ///< Of vertices and indices.
     int gobos = 0;
     int webs = 0;
+    std::vector<int> layersOfGoboTables;  ///< By GoboId: 1 for a grey gobo, 3 for a coloured one.
 };
 
 /// Gives out the handles that a Renderer would.
@@ -29,12 +30,15 @@ class AssetList : public AssetSink {
     /// Indexed by WebId.
     std::span<const IesWeb> webs() const { return webs_; }
 
-    AssetCounts counts() const { return {meshBytes_, gobos_, static_cast<int>(webs_.size())}; }
+    AssetCounts counts() const {
+        return {meshBytes_, static_cast<int>(layersOfGoboTables_.size()), static_cast<int>(webs_.size()),
+                layersOfGoboTables_};
+    }
 
  private:
     std::vector<MeshBounds> bounds_;
     std::vector<IesWeb> webs_;
-    int gobos_ = 0;
+    std::vector<int> layersOfGoboTables_;
     std::size_t meshBytes_ = 0;
 };
 

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <set>
 
 #include "render/beam_width.h"
 #include "render/gobo_picture.h"
+#include "render/gobo_table_plan.h"
+#include "render/gobo_table_slots.h"
 #include "render/gpu_beam.h"
 #include "render/noise_volume.h"
 #include "render/passes/beam_batch.h"
@@ -245,6 +248,29 @@ FramePart gobos(const SummaryInputs& in) {
     return part;
 }
 
+FramePart goboTables(const SummaryInputs& in) {
+    std::set<GoboTableKey> tables;
+    std::size_t beams = 0;
+    for (const GoboTableKey& key : goboTableKeys(in.scene, in.settings, in.plan)) {
+        if (key.gobo < 0) continue;
+        tables.insert(key);
+        ++beams;
+    }
+    int layers = 0;
+    for (const GoboTableKey& key : tables)
+        layers += in.assets.layersOfGoboTables[static_cast<std::size_t>(key.gobo)];
+    FramePart part = named("tables of gobos", beams > 0);
+    part.reason = part.needed           ? ofLit(beams, in, "sends", "send", "a gobo through the haze")
+                  : in.plan.lit.empty() ? kNoLampIsLit
+                  : in.plan.air && usesFeature(in.plan, kFeatureGobo)
+                      ? "gobos in the air are sampled: none is in a beam of up to 70 degrees, or so the "
+                        "settings ask for"
+                      : "no lit lamp sends a gobo through the haze";
+    part.resources.textures = {texture("gobo tables", kGoboTableWidth, kGoboTableHeight, kRgba16F,
+                                       std::clamp(layers, 1, kMostGoboTableLayers))};
+    return part;
+}
+
 FramePart webs(const SummaryInputs& in) {
     const std::size_t count = countLit(in, [](const Beam& beam) { return beam.web >= 0; });
     FramePart part = named("photometric webs", usesFeature(in.plan, kFeatureWeb));
@@ -345,9 +371,9 @@ FramePart darkLamps(const SummaryInputs& in) {
 
 std::vector<FramePart> frameParts(const SummaryInputs& in) {
     return {
-        picture(in),   bodies(in),    meshes(in),         surfaceLight(in), air(in),       airGrid(in),
-        thinBeams(in), noise(in),     uniformSamples(in), profile(in),      gobos(in),     webs(in),
-        shadows(in),   wideLamps(in), lenses(in),         bloom(in),        darkLamps(in),
+        picture(in),   bodies(in),  meshes(in),         surfaceLight(in), air(in),   airGrid(in),
+        thinBeams(in), noise(in),   uniformSamples(in), profile(in),      gobos(in), goboTables(in),
+        webs(in),      shadows(in), wideLamps(in),      lenses(in),       bloom(in), darkLamps(in),
     };
 }
 

@@ -10,7 +10,8 @@ glm::dvec3 apexPosition(const Beam& beam, const BeamShape& shape) {
     return beam.lensPositionM + beam.worldFromBeam * glm::dvec3(0.0, 0.0, shape.apexToLensM);
 }
 
-GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera, const BeamShadow& shadow) {
+GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera, const BeamShadow& shadow,
+                 const GoboTableSlot& goboTable) {
     const glm::dmat3 lampFromWorld = glm::transpose(beam.worldFromBeam);
     const glm::dmat3 viewFromLamp = glm::transpose(lampFromWorld * worldFromView(camera));
     const glm::dvec3 cameraInLamp = lampFromWorld * (camera.positionM - apexPosition(beam, shape));
@@ -30,6 +31,9 @@ GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera,
         glm::vec4(glm::dvec4(shadow.firstFace, shadow.nearestSurfaceM, shadow.farthestSurfaceM, 0.0));
     gpu.lens.x = static_cast<float>(beam.lensRadiusM);
     gpu.lens.z = static_cast<float>(beam.web);
+    gpu.lens.w = goboTable.layers > 0
+                     ? static_cast<float>(2 * goboTable.firstLayer + (goboTable.layers == 3 ? 1 : 0))
+                     : -1.0f;
     return gpu;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <glm/glm.hpp>
 
+#include "render/gobo_table.h"
 #include "render/photometry.h"
 #include "render/scene.h"
 
@@ -32,6 +33,7 @@ struct BeamShadow {
 
 /// Packs a beam for a camera. Positions are subtracted in double, so that a stage a kilometre from the origin
 /// loses nothing.
-GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera, const BeamShadow& shadow);
+GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera, const BeamShadow& shadow,
+                 const GoboTableSlot& goboTable);
 
 }  // namespace hazer::render

@@ -12,6 +12,7 @@
 #include "render/gl/pass_timer.h"
 #include "render/gl/texture.h"
 #include "render/gobo_store.h"
+#include "render/gobo_table_plan.h"
 #include "render/mesh_store.h"
 #include "render/passes/air_grid.h"
 #include "render/passes/ambient_pass.h"
@@ -197,7 +198,9 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     r.pass("surfaces", [&] { r.surfaces.draw(scene, camera, r.meshes); });
     glBindFramebuffer(GL_FRAMEBUFFER, r.radianceTarget.id());
     r.pass("ambient", [&] { r.ambient.draw(scene, r.surfaces); });
-    const std::vector<GpuBeam> beams = packBeams(scene, plan, camera);
+    const std::vector<GoboTableSlot> goboTables =
+        r.gobos.tables(goboTableKeys(scene, settings, plan), settings.waitForTables);
+    const std::vector<GpuBeam> beams = packBeams(scene, plan, camera, goboTables);
     const LightInputs lights{scene,
                              camera,
                              settings,
@@ -205,6 +208,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
                              r.surfaces,
                              beams,
                              usesFeature(plan, kFeatureGobo) ? r.gobos.texture() : 0,
+                             r.gobos.tableTexture(),
                              r.shadows.textures(),
                              usesFeature(plan, kFeatureWeb) ? r.webs.texture() : 0};
     if (!plan.surfaceGroups.empty()) r.pass("lit surfaces", [&] { r.litSurfaces.draw(lights); });

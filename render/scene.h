@@ -120,6 +120,9 @@ struct Settings {
     bool shadows = true;
     bool gobos = true;
     bool bloom = true;  ///< Display only; never in the radiance.
+    /// A frame takes until the tables of its gobos are built. Off, for a window: until then its gobos are
+    /// sampled point by point.
+    bool waitForTables = true;
 };
 
 }  // namespace hazer::render

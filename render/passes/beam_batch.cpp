@@ -46,7 +46,8 @@ std::vector<std::uint16_t> hullIndexList() {
 
 }  // namespace
 
-std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const Camera& camera) {
+std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const Camera& camera,
+                               const std::vector<GoboTableSlot>& goboTables) {
     std::vector<BeamShadow> shadows(scene.beams.size());
     for (std::size_t i = 0; i < scene.beams.size(); ++i) {
         if (const auto& reach = plan.surfaceReach[i]) shadows[i] = {-1, reach->nearM, reach->farM};
@@ -59,7 +60,7 @@ std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const 
     std::vector<GpuBeam> packed;
     packed.reserve(scene.beams.size());
     for (std::size_t i = 0; i < scene.beams.size(); ++i) {
-        packed.push_back(packBeam(scene.beams[i], plan.shapes[i], camera, shadows[i]));
+        packed.push_back(packBeam(scene.beams[i], plan.shapes[i], camera, shadows[i], goboTables[i]));
     }
     return packed;
 }
@@ -103,9 +104,11 @@ void setLightUniforms(const gl::Program& program, const LightInputs& in) {
     program.set("shadowAtlas", kShadowAtlasUnit);
     program.set("shadowFaces", kShadowFacesUnit);
     program.set("webImages", kWebUnit);
+    program.set("goboTables", kGoboTableUnit);
     gl::bindTexture(kGeometryUnit, GL_TEXTURE_2D, in.surfaces.geometry());
     gl::bindTexture(kMaterialUnit, GL_TEXTURE_2D, in.surfaces.material());
     gl::bindTexture(kGoboUnit, GL_TEXTURE_2D_ARRAY, in.gobos);
+    gl::bindTexture(kGoboTableUnit, GL_TEXTURE_2D_ARRAY, in.goboTables);
     gl::bindTexture(kShadowAtlasUnit, GL_TEXTURE_2D, in.shadows.atlas);
     gl::bindTexture(kShadowFacesUnit, GL_TEXTURE_BUFFER, in.shadows.faces);
     gl::bindTexture(kWebUnit, GL_TEXTURE_2D_ARRAY, in.webs);

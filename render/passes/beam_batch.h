@@ -23,6 +23,7 @@ struct LightInputs {
     const SurfacePass& surfaces;
     const std::vector<GpuBeam>& beams;  ///< One per beam of the scene, see packBeams.
     GLuint gobos = 0;
+    GLuint goboTables = 0;
     ShadowTextures shadows;
     GLuint webs = 0;
     int pixelStep = 1;  ///< Draws only every so many pixels, into a target of nodeCount().
@@ -41,11 +42,13 @@ enum LightTextureUnit : int {
     kShadowFacesUnit,
     kNoiseUnit,
     kNodeUnit,
-    kWebUnit
+    kWebUnit,
+    kGoboTableUnit
 };
 
-/// Every beam of the scene as seen by the camera.
-std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const Camera& camera);
+/// Every beam of the scene as seen by the camera; `goboTables` has one slot a beam.
+std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const Camera& camera,
+                               const std::vector<GoboTableSlot>& goboTables);
 
 /// Bytes of the hull that the beams of a pass share.
 std::size_t beamHullBytes();

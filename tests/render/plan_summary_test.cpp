@@ -145,11 +145,25 @@ TEST_F(PlanSummaryTest, WhyThereIsNoNoise) {
     expectLeftOut("noise in the haze", "noise is 0");
 }
 
+TEST_F(PlanSummaryTest, WhyThereAreTablesOfGobos) {
+    EXPECT_EQ(part("tables of gobos").reason, "1 of 2 lit lamps sends a gobo through the haze");
+    EXPECT_EQ(part("tables of gobos").resources.textures.front().layers, 1);
+    // The same gobo in another profile is a table of its own.
+    full_.scene.beams[1].gobo = full_.scene.beams[0].gobo;
+    EXPECT_EQ(part("tables of gobos").resources.textures.front().layers, 1);
+    full_.scene.beams[1].beamAngleRad *= 0.8;
+    EXPECT_EQ(part("tables of gobos").resources.textures.front().layers, 2);
+    full_.settings.samples = 64;
+    EXPECT_FALSE(part("tables of gobos").needed);
+    EXPECT_TRUE(part("gobos").needed);
+}
+
 TEST_F(PlanSummaryTest, WhyThereIsNoGobo) {
     full_.settings.gobos = false;
     expectLeftOut("gobos", "gobos are switched off");
     full_.scene.beams.front().gobo = -1;
     expectLeftOut("gobos", "no lit lamp has a gobo");
+    expectLeftOut("tables of gobos", "no lit lamp sends a gobo through the haze");
 }
 
 TEST_F(PlanSummaryTest, WhyThereIsNoShadow) {
