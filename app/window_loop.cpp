@@ -33,6 +33,7 @@ void drawPicture(Window& window, Session& session, const WindowState& state) {
     const glm::ivec2 drawn = state.resolution.drawnSize(shown);
     session.settings().width = drawn.x;
     session.settings().height = drawn.y;
+    session.settings().waitForTables = false;
     session.camera() = state.camera.camera();
     session.draw();
     session.renderer().present(0, shown.x, shown.y);
