@@ -103,21 +103,33 @@ FramePart picture(const SummaryInputs& in) {
     const int height = in.settings.height;
     FramePart part = named("picture", true);
     part.reason = "every frame has one";
-    part.passes = {"surfaces", "ambient", "tone map", "antialias"};
-    part.resources.textures = {
-        texture("radiance", width, height, kRgba32F), texture("tone mapped", width, height, kRgba8),
-        texture("display", width, height, kRgba8),    texture("geometry", width, height, kRgba32F),
-        texture("material", width, height, kRgba16F), texture("depth", width, height, kDepth32F)};
-    part.resources.shaders = {"ambient.frag", in.plan.bloom ? "tone_map.frag BLOOM" : "tone_map.frag",
-                              "antialias.frag"};
+    part.passes = {"tone map", "antialias"};
+    part.resources.textures = {texture("radiance", width, height, kRgba32F),
+                               texture("tone mapped", width, height, kRgba8),
+                               texture("display", width, height, kRgba8)};
+    part.resources.shaders = {in.plan.bloom ? "tone_map.frag BLOOM" : "tone_map.frag", "antialias.frag"};
     return part;
 }
 
 FramePart bodies(const SummaryInputs& in) {
+    const int width = in.settings.width;
+    const int height = in.settings.height;
     FramePart part = named("bodies", in.plan.surfaces);
     part.reason = part.needed ? counted(in.scene.instances.size(), "body is drawn", "bodies are drawn")
                               : "the scene has no body";
-    part.resources.shaders = {"surface.frag"};
+    part.passes = {"surfaces", "ambient"};
+    part.resources.textures = {texture("geometry", width, height, kRgba32F),
+                               texture("material", width, height, kRgba16F),
+                               texture("depth", width, height, kDepth32F)};
+    part.resources.shaders = {"surface.frag", "ambient.frag"};
+    return part;
+}
+
+FramePart background(const SummaryInputs& in) {
+    FramePart part = named("bare background", !in.plan.surfaces);
+    part.reason = part.needed ? "the scene has no body" : "bodies are drawn over the background";
+    part.passes = {"background"};
+    part.resources.textures = {texture("sky", 1, 1, kRgba32F)};
     return part;
 }
 
@@ -371,9 +383,10 @@ FramePart darkLamps(const SummaryInputs& in) {
 
 std::vector<FramePart> frameParts(const SummaryInputs& in) {
     return {
-        picture(in),   bodies(in),  meshes(in),         surfaceLight(in), air(in),   airGrid(in),
-        thinBeams(in), noise(in),   uniformSamples(in), profile(in),      gobos(in), goboTables(in),
-        webs(in),      shadows(in), wideLamps(in),      lenses(in),       bloom(in), darkLamps(in),
+        picture(in),   bodies(in),  background(in), meshes(in),    surfaceLight(in),
+        air(in),       airGrid(in), thinBeams(in),  noise(in),     uniformSamples(in),
+        profile(in),   gobos(in),   goboTables(in), webs(in),      shadows(in),
+        wideLamps(in), lenses(in),  bloom(in),      darkLamps(in),
     };
 }
 

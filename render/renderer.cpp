@@ -71,6 +71,8 @@ struct Renderer::Impl {
           antialias(shaderFolder) {}
 
     void resize(int newWidth, int newHeight);
+    void makeBodyTargets(bool forBodies);
+    void drawBackground(const Scene& scene);
     void drawAir(const LightInputs& in);
     void drawCost(const LightInputs& in);
     void drawToneMap();
@@ -107,6 +109,7 @@ struct Renderer::Impl {
     int width = 0;
     int height = 0;
     float exposureEv100 = 0.0f;
+    bool hasBodies = false;  ///< What there are targets for.
     bool hasBloom = false;
 };
 
@@ -121,15 +124,27 @@ void Renderer::Impl::resize(int newWidth, int newHeight) {
     }
     width = newWidth;
     height = newHeight;
-    surfaces.resize(width, height);
     bloom.resize(width, height);
     // 32-bit floats: a lens is ten million times brighter than the haze, and hundreds of beams are added up.
     radiance = gl::makeTexture2d(GL_RGBA32F, width, height, GL_LINEAR);
-    radianceTarget = gl::makeFramebufferFor({radiance.id()}, surfaces.depth());
+    radianceTarget = {};
     toneMapped = gl::makeTexture2d(GL_RGBA8, width, height, GL_LINEAR);
     toneMapTarget = gl::makeFramebufferFor({toneMapped.id()});
     display = gl::makeTexture2d(GL_RGBA8, width, height, GL_LINEAR);
     displayTarget = gl::makeFramebufferFor({display.id()});
+}
+
+/// The radiance itself stays when bodies come and go.
+void Renderer::Impl::makeBodyTargets(bool forBodies) {
+    if (radianceTarget.id() != 0 && forBodies == hasBodies) return;
+    hasBodies = forBodies;
+    surfaces.resize(width, height, hasBodies);
+    radianceTarget = gl::makeFramebufferFor({radiance.id()}, surfaces.depth());
+}
+
+void Renderer::Impl::drawBackground(const Scene& scene) {
+    const glm::vec4 background(scene.backgroundCdPerM2, 1.0f);
+    glClearBufferfv(GL_COLOR, 0, &background[0]);
 }
 
 void Renderer::Impl::drawAir(const LightInputs& in) {
@@ -191,13 +206,15 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     r.exposureEv100 = settings.exposureEv100;
     const ScenePlan plan = planScene(scene, camera, settings, r.meshes.bounds(), r.webs.webs());
     r.hasBloom = plan.bloom;
+    r.makeBodyTargets(plan.surfaces);
     r.timer.beginFrame();
 
     if (!plan.shadowMaps.empty()) r.pass("shadow maps", [&] { r.shadows.draw(scene, plan, r.meshes); });
     glViewport(0, 0, r.width, r.height);
-    r.pass("surfaces", [&] { r.surfaces.draw(scene, camera, r.meshes); });
+    if (plan.surfaces) r.pass("surfaces", [&] { r.surfaces.draw(scene, camera, r.meshes); });
     glBindFramebuffer(GL_FRAMEBUFFER, r.radianceTarget.id());
-    r.pass("ambient", [&] { r.ambient.draw(scene, r.surfaces); });
+    if (plan.surfaces) r.pass("ambient", [&] { r.ambient.draw(scene, r.surfaces); });
+    if (!plan.surfaces) r.pass("background", [&] { r.drawBackground(scene); });
     const std::vector<GoboTableSlot> goboTables =
         r.gobos.tables(goboTableKeys(scene, settings, plan), settings.waitForTables);
     const std::vector<GpuBeam> beams = packBeams(scene, plan, camera, goboTables);

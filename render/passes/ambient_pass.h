@@ -1,4 +1,4 @@
-// Begins the picture: background, and surfaces in the ambient light.
+// Begins the picture of a scene with bodies: background, and surfaces in the ambient light.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ class AmbientPass {
     void list(Resources& resources) const { gl::listProgram(resources, program_); }
 
  private:
-    gl::Program program_;
+    gl::LazyProgram program_;
     gl::VertexArray noVertices_ = gl::makeVertexArray();
 };
 

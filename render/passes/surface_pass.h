@@ -16,7 +16,9 @@ class SurfacePass {
  public:
     explicit SurfacePass(const std::filesystem::path& shaderFolder);
 
-    void resize(int width, int height);
+    /// Makes targets for pictures of this size. Without bodies one texel of sky stands for the whole geometry
+    /// buffer, there is no other target, and draw() must not be called.
+    void resize(int width, int height, bool hasBodies);
     void draw(const Scene& scene, const Camera& camera, const MeshStore& meshes);
 
     /// Adds what there is on the GPU.

@@ -117,7 +117,8 @@ TEST(Explain, AnEmptyShowHasAPictureAllTheSame) {
     const test::TemporaryFolder folder;
     const json empty = explainAsJson({folder.write("a.toml", "").string()});
     for (const json& part : empty["parts"]) {
-        const bool isAlwaysThere = part["name"] == "picture" || part["name"] == "bloom";
+        const bool isAlwaysThere =
+            part["name"] == "picture" || part["name"] == "bare background" || part["name"] == "bloom";
         EXPECT_EQ(part["needed"], isAlwaysThere) << part["name"];
     }
 }

@@ -89,6 +89,13 @@ TEST_F(PlanSummaryTest, PassesAreInTheOrderOfTheFrame) {
                                        "lenses", "bloom", "tone map", "antialias"));
 }
 
+TEST_F(PlanSummaryTest, WithoutABodyThereIsOnlyTheBackground) {
+    full_.scene.instances.clear();
+    EXPECT_THAT(summarize().passes,
+                ::testing::ElementsAre("background", "beams", "lenses", "bloom", "tone map", "antialias"));
+    expectLeftOut("bodies", "the scene has no body");
+}
+
 TEST_F(PlanSummaryTest, BeamsAreCountedByTheirShaders) {
     const PlanSummary summary = summarize();
     std::size_t inTheAir = 0;

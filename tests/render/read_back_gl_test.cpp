@@ -44,7 +44,7 @@ TEST_F(ReadBackGl, TimesAreThoseOfTheLastFrame) {
         return std::any_of(times.begin(), times.end(),
                            [&](const auto& pass) { return pass.name == name && pass.milliseconds >= 0.0; });
     };
-    EXPECT_TRUE(has(renderer().lastPassTimes(), "surfaces"));
+    EXPECT_TRUE(has(renderer().lastPassTimes(), "tone map"));
     EXPECT_FALSE(has(renderer().lastPassTimes(), "beams"));
     render::Beam beam;
     beam.fluxLm = 1000.0;
