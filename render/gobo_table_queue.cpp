@@ -39,7 +39,7 @@ std::optional<GoboTableQueue::Request> GoboTableQueue::nextRequest(const std::st
 
 void GoboTableQueue::work(const std::stop_token& stop) {
     while (const std::optional<Request> request = nextRequest(stop)) {
-        GoboTable table = buildGoboTable(*request->picture, request->key.profile, stop);
+        GoboTable table = build_(*request->picture, request->key.profile, stop);
         if (stop.stop_requested()) return;
         {
             const std::scoped_lock lock(mutex_);

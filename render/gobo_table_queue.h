@@ -3,10 +3,12 @@
 
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "render/gobo_table.h"
@@ -20,7 +22,9 @@ class GoboTableQueue {
         GoboTable table;
     };
 
-    GoboTableQueue() = default;
+    using Builder = std::function<GoboTable(const GoboPicture&, const GoboProfile&, const std::stop_token&)>;
+
+    explicit GoboTableQueue(Builder build = buildGoboTable) : build_(std::move(build)) {}
     /// Gives up what is not finished, and waits for the thread: some milliseconds.
     ~GoboTableQueue();
     GoboTableQueue(const GoboTableQueue&) = delete;
@@ -44,6 +48,7 @@ class GoboTableQueue {
     std::optional<Request> nextRequest(const std::stop_token& stop);
     void work(const std::stop_token& stop);
 
+    Builder build_;
     std::mutex mutex_;
     std::condition_variable_any changed_;
     std::deque<Request> requests_;
