@@ -126,25 +126,24 @@ TEST_F(PlanSummaryGlTest, WhatCameAndWentLeavesNoTraceInThePicture) {
     FeatureScene full = makeFullScene(renderer);
     full.settings.width = 96;
     full.settings.height = 54;
-    for (const int step : {1, 4}) {
-        full.settings.airStep = step;
+    // With the coarse grid, whose targets hang on those of the picture.
+    full.settings.airStep = 4;
+    renderer.render(full.scene, full.camera, full.settings);
+    const std::vector<float> before = renderer.readRadiance().rgb;
+    for (const Removal& removal : removals()) {
+        SCOPED_TRACE("without " + removal.name);
+        FeatureScene made = full;
+        removal.apply(made);
+        renderer.render(made.scene, made.camera, made.settings);
+        const std::vector<float> after = renderer.readRadiance().rgb;
+        const Drawn fresh = drawFresh([&](FeatureScene& other) {
+            other.settings.airStep = 4;
+            removal.apply(other);
+        });
+        EXPECT_TRUE(after == fresh.renderer->readRadiance().rgb);
+        EXPECT_THAT(passNames(renderer), ::testing::ElementsAreArray(fresh.summary.passes));
         renderer.render(full.scene, full.camera, full.settings);
-        const std::vector<float> before = renderer.readRadiance().rgb;
-        for (const Removal& removal : removals()) {
-            SCOPED_TRACE("without " + removal.name);
-            FeatureScene made = full;
-            removal.apply(made);
-            renderer.render(made.scene, made.camera, made.settings);
-            const std::vector<float> after = renderer.readRadiance().rgb;
-            const Drawn fresh = drawFresh([&](FeatureScene& other) {
-                other.settings.airStep = step;
-                removal.apply(other);
-            });
-            EXPECT_TRUE(after == fresh.renderer->readRadiance().rgb);
-            EXPECT_THAT(passNames(renderer), ::testing::ElementsAreArray(fresh.summary.passes));
-            renderer.render(full.scene, full.camera, full.settings);
-            EXPECT_TRUE(before == renderer.readRadiance().rgb);
-        }
+        EXPECT_TRUE(before == renderer.readRadiance().rgb);
     }
 }
 
