@@ -315,6 +315,10 @@ Mesh Renderer::readMesh(MeshId mesh) const {
     return impl_->meshes.read(mesh);
 }
 
+const IesWeb& Renderer::readWeb(WebId web) const {
+    return impl_->webs.webs()[static_cast<std::size_t>(web)];
+}
+
 const std::vector<std::uint8_t>& Renderer::readGobo(GoboId gobo) const {
     return impl_->gobos.texels(gobo);
 }

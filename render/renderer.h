@@ -55,9 +55,10 @@ class Renderer : public AssetSink {
     /// Everything that exists on the GPU for this renderer at the moment.
     Resources resources() const;
 
-    /// A mesh as it was added, and what a gobo lets through (kGoboSize^2 RGBA bytes, linear, row 0 on top):
-    /// for whoever checks the pictures.
+    /// A mesh and a web as they were added, and what a gobo lets through (kGoboSize^2 RGBA bytes, linear, row
+    /// 0 on top): for whoever checks the pictures.
     Mesh readMesh(MeshId mesh) const;
+    const IesWeb& readWeb(WebId web) const;
     const std::vector<std::uint8_t>& readGobo(GoboId gobo) const;
 
  private:

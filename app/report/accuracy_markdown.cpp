@@ -52,11 +52,13 @@ std::string summary(const AccuracyReport& report) {
 }
 
 std::string oracleSentence(const char* light, const OracleCheck& check) {
+    const std::string outlines =
+        check.outlines == 0 ? std::string()
+                            : fmt::format("; {} more, on outlines of bodies, were left out", check.outlines);
     return fmt::format(
         "The converged picture of the light {} differs from the oracle by {} (rms) over {} lit pixels, {} at "
-        "the worst; {} "
-        "more on outlines of\nbodies were left out.\n",
-        light, percent(check.rmsRel), check.pixels, percent(check.maxRel), check.outlines);
+        "the worst{}.\n",
+        light, percent(check.rmsRel), check.pixels, percent(check.maxRel), outlines);
 }
 
 std::string sceneSection(const AccuracyScene& scene) {

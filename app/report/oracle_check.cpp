@@ -14,26 +14,26 @@ namespace {
 
 using render::oracle::SceneOracle;
 
-/// Copies of the meshes and gobos that the scene uses, under the renderer's own handles.
+/// Copies of the meshes, gobos and webs that the scene uses, under the renderer's own handles.
 render::oracle::Library libraryOf(const render::Scene& scene, const render::Renderer& renderer) {
     render::oracle::Library library;
-    int meshes = 0, gobos = 0;
+    int meshes = 0, gobos = 0, webs = 0;
     for (const auto& instance : scene.instances) meshes = std::max(meshes, instance.mesh + 1);
-    for (const auto& beam : scene.beams) gobos = std::max(gobos, beam.gobo + 1);
+    for (const auto& beam : scene.beams) {
+        gobos = std::max(gobos, beam.gobo + 1);
+        webs = std::max(webs, beam.web + 1);
+    }
     for (int mesh = 0; mesh < meshes; ++mesh) library.meshes.push_back(renderer.readMesh(mesh));
     for (int gobo = 0; gobo < gobos; ++gobo) {
         library.gobos.emplace_back(renderer.readGobo(gobo), render::kGoboSize);
     }
+    for (int web = 0; web < webs; ++web) library.webs.push_back(renderer.readWeb(web));
     return library;
 }
 
 /// Why the oracle does not know this scene; empty if it does.
 std::string whyNot(const render::Scene& scene) {
     if (scene.haze.noise.amount > 0.0f) return "Uneven haze is not held against the oracle.";
-    const auto hasWeb = [](const render::Beam& beam) { return beam.web >= 0; };
-    if (std::any_of(scene.beams.begin(), scene.beams.end(), hasWeb)) {
-        return "Photometric webs are not held against the oracle.";
-    }
     return {};
 }
 

@@ -18,7 +18,7 @@ struct OracleResult {
 
 /// Compares up to `pixels` lit pixels, always the same ones of a picture, with what the oracle says about the
 /// light in the air and on surfaces at their centres. `picture` is `scene` as the renderer drew it, without
-/// lenses; the renderer still knows the scene's meshes and gobos.
+/// lenses; the renderer still knows the scene's meshes, gobos and webs.
 OracleResult checkAgainstOracle(const render::FloatImage& picture, const render::Scene& scene,
                                 const render::Camera& camera, const render::Renderer& renderer, int pixels);
 

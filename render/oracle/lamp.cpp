@@ -6,6 +6,8 @@
 namespace hazer::render::oracle {
 namespace {
 
+constexpr double kPi = 3.14159265358979323846;
+
 /// The soft profile's pedestal, a share of the peak.
 constexpr double kProfileCut = 0.005;
 
@@ -28,12 +30,38 @@ double edgeBetween(const Lamp& lamp, const Bodies& bodies, const Ray& inLamp, St
     return 0.5 * (change.fromM + change.toM);
 }
 
+/// A web is a grid: columns are azimuths from +X towards +Y, rows angles from the axis that grow with the
+/// square of the row.
+double webTowards(const IesWeb& web, const glm::dvec3& direction) {
+    const double theta = std::atan2(std::hypot(direction.x, direction.y), -direction.z);
+    const double azimuth = std::atan2(direction.y, direction.x);
+    const double row = std::min((kWebThetas - 1) * std::sqrt(theta / kPi), kWebThetas - 1.000001);
+    const double turns = azimuth / (2.0 * kPi);
+    const double column = kWebAzimuths * (turns - std::floor(turns));
+    const auto at = [&](int down, int right) {
+        const int x = (static_cast<int>(column) + right) % kWebAzimuths;
+        const int y = static_cast<int>(row) + down;
+        return static_cast<double>(web.relative[static_cast<std::size_t>(y * kWebAzimuths + x)]);
+    };
+    const double right = column - std::floor(column);
+    return std::lerp(std::lerp(at(0, 0), at(0, 1), right), std::lerp(at(1, 0), at(1, 1), right),
+                     row - std::floor(row));
+}
+
 }  // namespace
 
-Lamp makeLamp(const Beam& beam) {
-    Lamp lamp{beam, beamShape(beam), {}, {}, glm::transpose(beam.worldFromBeam)};
+Lamp makeLamp(const Beam& beam, std::span<const IesWeb> webs) {
+    const IesWeb* web = beam.web < 0 ? nullptr : &webs[static_cast<std::size_t>(beam.web)];
+    Lamp lamp{beam,
+              web == nullptr ? beamShape(beam) : webShape(beam, *web),
+              {},
+              {},
+              glm::transpose(beam.worldFromBeam)};
     lamp.model = {lamp.shape.cutHalfAngleRad, lamp.shape.beamHalfAngleRad, lamp.shape.exponent, kProfileCut,
                   lamp.shape.apexToLensM};
+    if (web != nullptr) {
+        lamp.model.web = [web](const glm::dvec3& direction) { return webTowards(*web, direction); };
+    }
     lamp.apexM = beam.lensPositionM + lamp.shape.apexToLensM * beam.worldFromBeam[2];
     return lamp;
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
+#include "render/ies_web.h"
 #include "render/oracle/bodies.h"
 #include "render/oracle/gobo_picture.h"
 #include "render/oracle/single_beam.h"
@@ -27,7 +29,8 @@ struct Lamp {
     }
 };
 
-Lamp makeLamp(const Beam& beam);
+/// `webs` are indexed by WebId and must outlive the lamp.
+Lamp makeLamp(const Beam& beam, std::span<const IesWeb> webs);
 
 /// What the gobo lets through towards a point in the lamp; `footprintM` is the width there of what one pixel
 /// sees. The blur is the wider of the footprint and the circle of confusion of a thin lens.

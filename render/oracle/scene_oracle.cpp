@@ -15,7 +15,7 @@ constexpr double kPi = 3.14159265358979323846;
 /// A ray that meets nothing ends here; see docs/rendering.md.
 constexpr double kSkyM = 1e5;
 
-/// Parts of a stretch where a gobo or uneven haze leaves the integrand with kinks.
+/// Parts of a stretch where a gobo, a web or uneven haze leaves the integrand with kinks.
 constexpr int kUnevenParts = 48;
 
 HazeModel hazeModel(const Haze& haze) {
@@ -34,7 +34,7 @@ SceneOracle::SceneOracle(Scene scene, const Camera& camera, int width, int heigh
       library_(std::move(library)),
       haze_(hazeModel(scene_.haze)),
       bodies_(scene_, library_.meshes, camera.positionM) {
-    for (const Beam& beam : scene_.beams) lamps_.push_back(makeLamp(beam));
+    for (const Beam& beam : scene_.beams) lamps_.push_back(makeLamp(beam, library_.webs));
 }
 
 Ray SceneOracle::worldRay(double x, double y) const {
@@ -81,7 +81,7 @@ std::vector<Stretch> SceneOracle::litPieces(const Lamp& lamp, const Ray& inLamp,
 glm::dvec3 SceneOracle::airOf(const Lamp& lamp, const Ray& ray) const {
     const Ray inLamp = lamp.inLamp(ray);
     const GoboPicture* gobo = goboOf(lamp);
-    const bool isUneven = gobo != nullptr || library_.density;
+    const bool isUneven = gobo != nullptr || library_.density || lamp.model.web;
     const std::vector<Stretch> lit = litPieces(lamp, inLamp, isUneven ? kUnevenParts : 1);
     const bool isGrey = gobo == nullptr || gobo->isGrey();
     glm::dvec3 radiance(0.0);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/ies_web.h"
 #include "render/mesh.h"
 #include "render/oracle/bodies.h"
 #include "render/oracle/gobo_picture.h"
@@ -23,6 +24,7 @@ using Density = std::function<double(const glm::dvec3&)>;
 struct Library {
     std::vector<Mesh> meshes;        ///< By MeshId.
     std::vector<GoboPicture> gobos;  ///< By GoboId.
+    std::vector<IesWeb> webs;        ///< By WebId.
     Density density;                 ///< Empty: even haze.
 };
 

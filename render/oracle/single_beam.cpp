@@ -70,6 +70,7 @@ double intensityTowards(const BeamModel& beam, const glm::dvec3& pointM) {
     if (beam.apexToLensM > 0.0 && axialM < beam.apexToLensM) return 0.0;
     const double psi = std::atan2(std::hypot(pointM.x, pointM.y), axialM);
     if (psi > beam.cutHalfAngleRad) return 0.0;
+    if (beam.web) return beam.web(pointM / glm::length(pointM));
     if (beam.exponent <= 0.0) return 1.0;
     const double gauss = std::exp(-std::log(2.0) * std::pow(psi / beam.beamHalfAngleRad, beam.exponent));
     return std::max((gauss - beam.profileCut) / (1.0 - beam.profileCut), 0.0);

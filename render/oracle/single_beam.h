@@ -16,6 +16,8 @@ struct BeamModel {
     double exponent = 0.0;          ///< Of the super-Gaussian; 0: flat.
     double profileCut = 0.0;        ///< Share of the peak subtracted as a pedestal.
     double apexToLensM = 0.0;       ///< Light starts at this plane; 0: at the apex.
+    /// Intensity over the peak towards a direction (unit), instead of the profile; empty: none.
+    std::function<double(const glm::dvec3&)> web = {};
 };
 
 /// Two lobes of Henyey and Greenstein.

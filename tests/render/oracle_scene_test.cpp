@@ -145,6 +145,40 @@ TEST(OracleGobo, cutsTheBeamAsTheLampTurnsIt) {
     EXPECT_LT(airInTheMiddle(scene, library), 0.03 * closedForm(0.0, kHalf));
 }
 
+// A web that holds a soft profile is that profile.
+TEST(OracleScene, aWebStandsForTheProfile) {
+    const double width = 0.15;
+    IesWeb web;
+    for (int row = 0; row < kWebThetas; ++row) {
+        const double theta = kPi * std::pow(row / (kWebThetas - 1.0), 2.0);
+        // Twice as bright on the side of +X as on the other.
+        for (int column = 0; column < kWebAzimuths; ++column) {
+            const double side = 0.75 + 0.25 * std::cos(2.0 * kPi * column / kWebAzimuths);
+            web.relative.push_back(static_cast<float>(side * std::exp(-std::pow(theta / width, 2.0))));
+        }
+    }
+    web.peakCd = 1000.0;
+    web.cutHalfAngleRad = 0.5;
+    web.beamHalfAngleRad = width * std::sqrt(std::log(2.0));
+    web.fieldHalfAngleRad = 0.3;
+    Scene scene = lampAbove();
+    scene.beams.front().web = 0;
+    Library library;
+    library.webs.push_back(web);
+    BeamModel soft;
+    soft.cutHalfAngleRad = 0.5;
+    soft.beamHalfAngleRad = web.beamHalfAngleRad;
+    soft.exponent = 2.0;
+    const HazeModel haze{0.0, scene.haze.scatteringPerM, 0.0, 0.0, 1.0};
+    // The ray goes from -x to +x, so it sees the bright and the dim half: 3/4 of the whole on average.
+    const double whole = 1000.0 * airRadiance(soft, haze, {{-10.0, 0.0, -4.0}, {1.0, 0.0, 0.0}, 1e5});
+    EXPECT_NEAR(airInTheMiddle(scene, library) / whole, 0.75, 1e-4);
+    // Up to the axis only the dim half.
+    scene.instances.push_back(box({0.05, 0.0, 2.0}, {0.1, 4.0, 4.0}));
+    library.meshes.push_back(makeBox());
+    EXPECT_NEAR(airInTheMiddle(scene, library) / whole, 0.25, 1e-4);
+}
+
 TEST(OracleScene, unevenHazeIsWeighedWhereItIs) {
     Library library;
     library.density = [](const glm::dvec3& place) { return place.x < 0.0 ? 2.0 : 0.5; };
