@@ -2,7 +2,6 @@
 // against. Shares no formula with the shaders, and traces rays through Embree where they look into maps.
 #pragma once
 
-#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <vector>
@@ -11,14 +10,12 @@
 #include "render/mesh.h"
 #include "render/oracle/bodies.h"
 #include "render/oracle/gobo_picture.h"
+#include "render/oracle/haze_density.h"
 #include "render/oracle/lamp.h"
 #include "render/oracle/single_beam.h"
 #include "render/scene.h"
 
 namespace hazer::render::oracle {
-
-/// Density of the haze over its mean at a place of the world [m].
-using Density = std::function<double(const glm::dvec3&)>;
 
 /// What a scene's handles stand for.
 struct Library {

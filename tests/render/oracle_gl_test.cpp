@@ -21,7 +21,7 @@ using render::oracle::SceneOracle;
 
 constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 constexpr int kSize = 96;
-constexpr int kPixels = 400;
+constexpr int kPixels = 200;
 
 /// Open in the quarter that is seen right of the centre and above it, and in a stripe below: no turn and no
 /// mirror image is like another.
@@ -105,6 +105,7 @@ std::vector<double> OracleGl::errorsOf(const Scene& scene, const Camera& camera)
     for (GoboId gobo = 0; gobo <= gobo_; ++gobo) {
         library.gobos.emplace_back(renderer().readGobo(gobo), kGoboSize);
     }
+    library.density = render::oracle::hazeDensity(scene.haze, scene.timeS);
     const SceneOracle oracle(scene, camera, kSize, kSize, library);
     std::mt19937 random(9);
     std::vector<double> errors;
@@ -148,6 +149,16 @@ TEST_F(OracleGl, AGoboTurnedOnTheWallAndInTheAir) {
     scene.beams.front().gobo = gobo_;
     scene.beams.front().goboRotationRad = 25.0 * kRadPerDeg;
     EXPECT_LT(rms(errorsOf(scene, {{-0.4, 2.0, 1.4}, {-1.2, 4.0, 0.9}, {0.0, 0.0, 1.0}, 0.25})), 1e-2);
+}
+
+TEST_F(OracleGl, UnevenHaze) {
+    Scene scene = stage();
+    scene.haze.noise.amount = 0.7f;
+    scene.haze.noise.scaleM = 1.2f;
+    scene.timeS = 3.7;
+    scene.ambient.illuminanceLx = 0.0f;
+    for (MeshInstance& instance : scene.instances) instance.material = {Color(0.0f), 0.0f, 1.0f};
+    EXPECT_LT(rms(errorsOf(scene, {{0.5, -9.0, 2.0}, {0.0, 0.0, 1.6}, {0.0, 0.0, 1.0}, 0.7})), 1e-2);
 }
 
 TEST_F(OracleGl, FarFromTheOrigin) {
