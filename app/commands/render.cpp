@@ -215,8 +215,8 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
         .add_option("--integrator", options.integrator, "How light in the haze is summed; angle unless given")
         ->check(CLI::IsMember({"angle", "uniform"}));
     command
-        .add_option("--samples", options.samples, "Samples of the integrator, 1..4096; its own unless given")
-        ->check(CLI::Range(1, 4096));
+        .add_option("--samples", options.samples, "Samples of the integrator, 1..16384; its own unless given")
+        ->check(CLI::Range(1, 16384));
     command
         .add_option(
             "--view", options.view,

@@ -76,6 +76,16 @@ TEST(ReportAccuracy, hostileOptions) {
     }
 }
 
+// What the report draws can be drawn alone, too.
+TEST(Render, takesAsManySamplesAsTheReport) {
+    const auto render = [](const char* samples) {
+        return test::runProcess(HAZER_PROGRAM, {"render", "/nowhere/a.toml", "--samples", samples}).exitCode;
+    };
+    EXPECT_EQ(render("16384"), 2) << "the show is missing, not the samples wrong";
+    EXPECT_EQ(render("16385"), 1);
+    EXPECT_EQ(render("0"), 1);
+}
+
 TEST(ReportAccuracy, aMissingShow) {
     const test::ProcessResult result = report({"accuracy", "/nowhere/a.toml"});
     EXPECT_EQ(result.exitCode, 2);
