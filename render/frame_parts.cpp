@@ -14,6 +14,8 @@
 #include "render/noise_volume.h"
 #include "render/passes/beam_batch.h"
 #include "render/passes/bloom_pass.h"
+#include "render/passes/display_grid.h"
+#include "render/passes/surface_pass.h"
 #include "render/shadow_projection.h"
 
 namespace hazer::render {
@@ -24,9 +26,12 @@ constexpr const char* kNoLightInTheAir = "there is no light in the air";
 
 /// Bytes of a texel.
 constexpr int kRgba32F = 16;
+constexpr int kRgba16 = 8;
 constexpr int kRgba16F = 8;
 constexpr int kRgba8 = 4;
 constexpr int kDepth32F = 4;
+constexpr int kDepth16 = 2;
+constexpr int kR32F = 4;
 constexpr int kR16F = 2;
 constexpr int kR8 = 1;
 
@@ -101,27 +106,33 @@ std::size_t beamsIn(const std::vector<BeamGroup>& groups) {
 FramePart picture(const SummaryInputs& in) {
     const int width = in.settings.width;
     const int height = in.settings.height;
+    const glm::ivec2 blocks = displayBlocks(width, height);
     FramePart part = named("picture", true);
     part.reason = "every frame has one";
-    part.passes = {"tone map", "antialias"};
-    part.resources.textures = {texture("radiance", width, height, kRgba32F),
-                               texture("tone mapped", width, height, kRgba8),
-                               texture("display", width, height, kRgba8)};
-    part.resources.shaders = {in.plan.bloom ? "tone_map.frag BLOOM" : "tone_map.frag", "antialias.frag"};
+    part.passes = {"block means", "display grid", "tone map", "antialias"};
+    part.resources.textures = {
+        texture("radiance", width, height, kRgba32F), texture("tone mapped", width, height, kRgba8),
+        texture("display", width, height, kRgba8), texture("display mask", width, height, kDepth16)};
+    for (const char* name : {"block means", "blocks shown", "blocks marked"})
+        part.resources.textures.push_back(texture(name, blocks.x, blocks.y, kRgba32F));
+    part.resources.shaders = {"block_mean.frag", "block_mark.frag", "block_between.frag", "antialias.frag"};
+    for (const char* shader : {"block_shown.frag", "tone_map.frag"})
+        part.resources.shaders.push_back(in.plan.bloom ? shaderName(shader, {"BLOOM"}) : shader);
     return part;
 }
 
 FramePart bodies(const SummaryInputs& in) {
     const int width = in.settings.width;
     const int height = in.settings.height;
+    const glm::ivec2 table = materialTableSize(in.scene.instances.size());
     FramePart part = named("bodies", in.plan.surfaces);
     part.reason = part.needed ? counted(in.scene.instances.size(), "body is drawn", "bodies are drawn")
                               : "the scene has no body";
-    part.passes = {"surfaces", "ambient"};
-    part.resources.textures = {texture("geometry", width, height, kRgba32F),
-                               texture("material", width, height, kRgba16F),
-                               texture("depth", width, height, kDepth32F)};
-    part.resources.shaders = {"surface.frag", "ambient.frag"};
+    part.passes = {"surfaces"};
+    part.resources.textures = {
+        texture("distance", width, height, kR32F), texture("shape", width, height, kRgba16),
+        texture("depth", width, height, kDepth32F), texture("materials", table.x, table.y, kRgba32F)};
+    part.resources.shaders = {"surface.frag"};
     return part;
 }
 
@@ -129,7 +140,7 @@ FramePart background(const SummaryInputs& in) {
     FramePart part = named("bare background", !in.plan.surfaces);
     part.reason = part.needed ? "the scene has no body" : "bodies are drawn over the background";
     part.passes = {"background"};
-    part.resources.textures = {texture("sky", 1, 1, kRgba32F)};
+    part.resources.textures = {texture("sky", 1, 1, kR32F)};
     return part;
 }
 
@@ -363,7 +374,9 @@ FramePart bloom(const SummaryInputs& in) {
     part.reason = part.needed ? "the picture is for people" : "bloom is switched off";
     part.passes = {"bloom"};
     part.resources.shaders = {"bloom_down.frag", "bloom_up.frag"};
-    for (const glm::ivec2& size : bloomLevelSizes(in.settings.width, in.settings.height))
+    const glm::ivec2 blocks = displayBlocks(in.settings.width, in.settings.height);
+    part.resources.textures = {texture("block bloom", blocks.x, blocks.y, kRgba32F)};
+    for (const glm::ivec2& size : bloomLevelSizes(blocks))
         part.resources.textures.push_back(texture("bloom", size.x, size.y, kRgba32F));
     return part;
 }

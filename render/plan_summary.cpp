@@ -9,8 +9,9 @@ namespace hazer::render {
 namespace {
 
 /// All passes in the order of Renderer::render.
-constexpr std::array kPassOrder{"shadow maps", "surfaces", "ambient", "background", "lit surfaces",
-                                "beams",       "lenses",   "bloom",   "tone map",   "antialias"};
+constexpr std::array kPassOrder{"shadow maps",  "surfaces", "background",  "lit surfaces",
+                                "beams",        "lenses",   "block means", "bloom",
+                                "display grid", "tone map", "antialias"};
 
 std::vector<std::string> passesOf(const std::vector<FramePart>& parts) {
     std::vector<std::string> passes;

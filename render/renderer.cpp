@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "render/error.h"
 #include "render/gl/debug_output.h"
@@ -15,9 +16,9 @@
 #include "render/gobo_table_plan.h"
 #include "render/mesh_store.h"
 #include "render/passes/air_grid.h"
-#include "render/passes/ambient_pass.h"
 #include "render/passes/antialias_pass.h"
 #include "render/passes/bloom_pass.h"
+#include "render/passes/display_grid.h"
 #include "render/passes/lens_pass.h"
 #include "render/passes/lit_surface_pass.h"
 #include "render/passes/shadow_pass.h"
@@ -61,12 +62,12 @@ struct Renderer::Impl {
     explicit Impl(const std::filesystem::path& shaderFolder)
         : surfaces(shaderFolder),
           shadows(shaderFolder),
-          ambient(shaderFolder),
           air(shaderFolder),
           airGrid(shaderFolder),
           litSurfaces(shaderFolder),
           lenses(shaderFolder),
           bloom(shaderFolder),
+          grid(shaderFolder),
           toneMap(shaderFolder),
           antialias(shaderFolder) {}
 
@@ -91,12 +92,12 @@ struct Renderer::Impl {
     WebStore webs;
     SurfacePass surfaces;
     ShadowPass shadows;
-    AmbientPass ambient;
     AirPass air;
     AirGrid airGrid;
     LitSurfacePass litSurfaces;
     LensPass lenses;
     BloomPass bloom;
+    DisplayGrid grid;
     ToneMapPass toneMap;
     AntialiasPass antialias;
     gl::PassTimer timer;
@@ -108,7 +109,7 @@ struct Renderer::Impl {
     gl::Framebuffer displayTarget;
     int width = 0;
     int height = 0;
-    float exposureEv100 = 0.0f;
+    float exposure = 0.0f;   ///< Radiance to sensor full scale.
     bool hasBodies = false;  ///< What there are targets for.
     bool hasBloom = false;
 };
@@ -124,21 +125,22 @@ void Renderer::Impl::resize(int newWidth, int newHeight) {
     }
     width = newWidth;
     height = newHeight;
-    bloom.resize(width, height);
+    grid.resize(width, height);
+    bloom.resize(grid.blocks());
     // 32-bit floats: a lens is ten million times brighter than the haze, and hundreds of beams are added up.
     radiance = gl::makeTexture2d(GL_RGBA32F, width, height, GL_LINEAR);
     radianceTarget = {};
     toneMapped = gl::makeTexture2d(GL_RGBA8, width, height, GL_LINEAR);
-    toneMapTarget = gl::makeFramebufferFor({toneMapped.id()});
     display = gl::makeTexture2d(GL_RGBA8, width, height, GL_LINEAR);
-    displayTarget = gl::makeFramebufferFor({display.id()});
+    toneMapTarget = gl::makeFramebufferFor({toneMapped.id(), display.id()}, grid.mask());
+    displayTarget = gl::makeFramebufferFor({display.id()}, grid.mask());
 }
 
 /// The radiance itself stays when bodies come and go.
 void Renderer::Impl::makeBodyTargets(bool forBodies) {
     if (radianceTarget.id() != 0 && forBodies == hasBodies) return;
     hasBodies = forBodies;
-    surfaces.resize(width, height, hasBodies);
+    surfaces.resize(width, height, radiance.id(), hasBodies);
     radianceTarget = gl::makeFramebufferFor({radiance.id()}, surfaces.depth());
 }
 
@@ -172,12 +174,17 @@ void Renderer::Impl::drawCost(const LightInputs& in) {
 void Renderer::Impl::drawToneMap() {
     glBindFramebuffer(GL_FRAMEBUFFER, toneMapTarget.id());
     glViewport(0, 0, width, height);
-    toneMap.draw(radiance.id(), hasBloom ? bloom.texture() : 0, width, height, exposureEv100);
+    grid.drawBetween();
+    DisplayGrid::onlyExact();
+    toneMap.draw(radiance.id(), grid, hasBloom, exposure);
+    DisplayGrid::everywhere();
 }
 
 void Renderer::Impl::drawAntialias() {
     glBindFramebuffer(GL_FRAMEBUFFER, displayTarget.id());
-    antialias.draw(toneMapped.id(), width, height);
+    DisplayGrid::onlyEdges();
+    antialias.draw(toneMapped.id());
+    DisplayGrid::everywhere();
 }
 
 Renderer::Renderer(std::filesystem::path shaderFolder) {
@@ -203,7 +210,7 @@ WebId Renderer::addWeb(const IesWeb& web) {
 void Renderer::render(const Scene& scene, const Camera& camera, const Settings& settings) {
     Impl& r = *impl_;
     r.resize(settings.width, settings.height);
-    r.exposureEv100 = settings.exposureEv100;
+    r.exposure = 1.0f / (1.2f * std::exp2(settings.exposureEv100));
     const ScenePlan plan = planScene(scene, camera, settings, r.meshes.bounds(), r.webs.webs());
     r.hasBloom = plan.bloom;
     r.makeBodyTargets(plan.surfaces);
@@ -213,7 +220,6 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     glViewport(0, 0, r.width, r.height);
     if (plan.surfaces) r.pass("surfaces", [&] { r.surfaces.draw(scene, camera, r.meshes); });
     glBindFramebuffer(GL_FRAMEBUFFER, r.radianceTarget.id());
-    if (plan.surfaces) r.pass("ambient", [&] { r.ambient.draw(scene, r.surfaces); });
     if (!plan.surfaces) r.pass("background", [&] { r.drawBackground(scene); });
     const std::vector<GoboTableSlot> goboTables =
         r.gobos.tables(goboTableKeys(scene, settings, plan), settings.waitForTables);
@@ -232,7 +238,9 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     if (!plan.airGroups.empty()) r.pass("beams", [&] { r.drawAir(lights); });
     if (!plan.lenses.empty()) r.pass("lenses", [&] { r.lenses.draw(lights); });
     if (settings.countsIntegrals) r.pass("cost", [&] { r.drawCost(lights); });
-    if (plan.bloom) r.pass("bloom", [&] { r.bloom.draw(r.radiance.id()); });
+    r.pass("block means", [&] { r.grid.measure(r.radiance.id(), r.exposure); });
+    if (plan.bloom) r.pass("bloom", [&] { r.bloom.draw(r.grid.means()); });
+    r.pass("display grid", [&] { r.grid.judge(plan.bloom ? &r.bloom : nullptr, r.exposure); });
     r.pass("tone map", [&] { r.drawToneMap(); });
     r.pass("antialias", [&] { r.drawAntialias(); });
 }
@@ -300,12 +308,12 @@ Resources Renderer::resources() const {
     r.webs.list(all);
     r.surfaces.list(all);
     r.shadows.list(all);
-    r.ambient.list(all);
     r.air.list(all);
     r.airGrid.list(all);
     r.litSurfaces.list(all);
     r.lenses.list(all);
     r.bloom.list(all);
+    r.grid.list(all);
     r.toneMap.list(all);
     r.antialias.list(all);
     return all;

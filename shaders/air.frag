@@ -56,7 +56,7 @@ vec3 transmissionAt(LampSample here) {
 #include "include/beam_integral.glsl"
 
 void main() {
-    float endM = pixelGeometry().z;
+    float endM = pixelDistance();
     HazeMedium haze = HazeMedium(extinctionPerM, scatteringPerM, phaseLobes.x, phaseLobes.y, phaseLobes.z);
 #ifdef UNIFORM
     vec3 relative = beamInAirUniform(pixelRay(), beamOptics(), haze, min(endM, uniformRangeM), uniformSamples);

@@ -4,7 +4,7 @@
 //     alpha  estimated error of interpolating next to this node over what is allowed; negative where a surface's edge runs through the
 //            cell whose first corner this node is
 uniform sampler2D nodes;
-uniform sampler2D geometryBuffer;
+uniform sampler2D distanceBuffer;
 uniform int nodeStep;
 uniform float tolerance;  // allowed error relative to the light around, or to the picture's mean if that is more
 
@@ -15,7 +15,7 @@ vec3 nodeAt(ivec2 node) { return texelFetch(nodes, clamp(node, ivec2(0), texture
 float brightest(vec3 c) { return max(c.r, max(c.g, c.b)); }
 
 float inverseDistance(ivec2 pixel) {
-    return 1.0 / texelFetch(geometryBuffer, min(pixel, textureSize(geometryBuffer, 0) - 1), 0).z;
+    return 1.0 / texelFetch(distanceBuffer, min(pixel, textureSize(distanceBuffer, 0) - 1), 0).r;
 }
 
 // Inverse distance is linear over a plane: what is not linear in the cell is an edge.

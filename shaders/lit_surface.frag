@@ -10,7 +10,8 @@ float webAt(vec3 direction);  // see web_picture.glsl
 #include "include/surface.glsl"
 #include "include/beam_pixel.glsl"
 
-uniform sampler2D materialBuffer;
+uniform sampler2D shapeBuffer;
+uniform sampler2D materialTable;
 uniform float extinctionPerM;
 
 out vec4 radiance;
@@ -44,19 +45,21 @@ vec3 illuminance(LampSample here, float distanceToEyeM, vec3 normal, float slant
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 geometry = texelFetch(geometryBuffer, pixel, 0);
-    if (geometry.z >= SKY_DISTANCE_M) discard;
+    float distanceM = pixelDistance();
+    if (distanceM >= SKY_DISTANCE_M) discard;
+    vec4 shape = texelFetch(shapeBuffer, pixel, 0);
+    float shininess = shape.z * MAX_SHININESS;
     LampRay ray = pixelRay();
-    float s = geometry.z - ray.tClosest;
+    float s = distanceM - ray.tClosest;
     float r = sqrt(ray.h * ray.h + s * s);
     LampSample here = lampSample(ray, ray.h / r, s / r, light.w);
-    vec3 normal = toLamp(unpackNormal(geometry.xy));
-    vec3 lux = illuminance(here, geometry.z, normal, max(-dot(ray.along, normal), 0.2));
+    vec3 normal = toLamp(unpackNormal(shape.xy));
+    vec3 lux = illuminance(here, distanceM, normal, max(-dot(ray.along, normal), 0.2));
     if (lux == vec3(0.0)) discard;
-    vec4 material = texelFetch(materialBuffer, pixel, 0);
+    vec4 material = texelFetch(materialTable, materialTexel(shape.w), 0);
     vec3 halfway = normalize(-here.direction - ray.along);
     // Blinn-Phong, normalised so that a lobe reflects what `specular` says (Akenine-Moeller et al., Real-Time Rendering, ch. 9).
-    float gloss = (geometry.w + 8.0) / (8.0 * PI) * pow(max(dot(normal, halfway), 0.0), geometry.w);
+    float gloss = (shininess + 8.0) / (8.0 * PI) * pow(max(dot(normal, halfway), 0.0), shininess);
     vec3 reflected = lux * (material.rgb / PI + material.a * gloss);
-    radiance = vec4(reflected * exp(-extinctionPerM * geometry.z) * light.rgb, 1.0);
+    radiance = vec4(reflected * exp(-extinctionPerM * distanceM) * light.rgb, 1.0);
 }

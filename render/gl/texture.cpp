@@ -12,7 +12,8 @@ namespace {
 /// Format and type that go with an internal format when there is nothing to upload; GL wants a legal pair all
 /// the same.
 std::pair<GLenum, GLenum> uploadFormat(GLenum internalFormat) {
-    if (internalFormat == GL_DEPTH_COMPONENT32F) return {GL_DEPTH_COMPONENT, GL_FLOAT};
+    if (internalFormat == GL_DEPTH_COMPONENT32F || internalFormat == GL_DEPTH_COMPONENT16)
+        return {GL_DEPTH_COMPONENT, GL_FLOAT};
     return {GL_RGBA, GL_FLOAT};
 }
 

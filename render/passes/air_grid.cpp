@@ -67,9 +67,9 @@ void AirGrid::judge(const LightInputs& in, int step) {
     judge.use();
     gl::bindTexture(0, GL_TEXTURE_2D, nodes_.id());
     glGenerateMipmap(GL_TEXTURE_2D);
-    gl::bindTexture(1, GL_TEXTURE_2D, in.surfaces.geometry());
+    gl::bindTexture(1, GL_TEXTURE_2D, in.surfaces.distance());
     judge.set("nodes", 0);
-    judge.set("geometryBuffer", 1);
+    judge.set("distanceBuffer", 1);
     judge.set("nodeStep", step);
     judge.set("tolerance", kTolerance);
     glBindVertexArray(noVertices_.id());

@@ -13,8 +13,9 @@ class AntialiasPass {
  public:
     explicit AntialiasPass(const std::filesystem::path& shaderFolder);
 
-    /// Writes the bound framebuffer from `display`, a linearly filtered texture of the same size.
-    void draw(GLuint display, int width, int height);
+    /// Draws over the bound framebuffer, where its depth is 1, from `picture`: a linearly filtered texture of
+    /// the same size with brightness in alpha.
+    void draw(GLuint picture);
 
     /// Adds what there is on the GPU.
     void list(Resources& resources) const { gl::listProgram(resources, program_); }

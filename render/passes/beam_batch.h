@@ -35,7 +35,8 @@ glm::ivec2 nodeCount(const Settings& settings, int step);
 
 /// Texture units of the shaders that draw beams.
 enum LightTextureUnit : int {
-    kGeometryUnit,
+    kDistanceUnit,
+    kShapeUnit,
     kMaterialUnit,
     kGoboUnit,
     kShadowAtlasUnit,

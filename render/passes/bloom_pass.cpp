@@ -1,21 +1,18 @@
 #include "render/passes/bloom_pass.h"
 
-#include <algorithm>
-
 #include "render/gl/inventory.h"
 #include "render/gl/texture.h"
 
 namespace hazer::render {
 namespace {
-constexpr int kLevels = 6;
+constexpr int kLevels = 4;
 }
 
-std::vector<glm::ivec2> bloomLevelSizes(int width, int height) {
+std::vector<glm::ivec2> bloomLevelSizes(glm::ivec2 blocks) {
     std::vector<glm::ivec2> sizes;
     for (int i = 0; i < kLevels; ++i) {
-        width = std::max(width / 2, 1);
-        height = std::max(height / 2, 1);
-        sizes.emplace_back(width, height);
+        blocks = (blocks + 1) / 2;
+        sizes.push_back(blocks);
     }
     return sizes;
 }
@@ -24,40 +21,38 @@ BloomPass::BloomPass(const std::filesystem::path& shaderFolder)
     : down_(shaderFolder, "fullscreen.vert", "bloom_down.frag"),
       up_(shaderFolder, "fullscreen.vert", "bloom_up.frag") {}
 
-void BloomPass::resize(int width, int height) {
-    width_ = width;
-    height_ = height;
+void BloomPass::resize(glm::ivec2 blocks) {
+    blocks_ = blocks;
     levels_.clear();
 }
 
 void BloomPass::allocate() {
-    for (const glm::ivec2& size : bloomLevelSizes(width_, height_)) {
-        Level level{gl::makeTexture2d(GL_RGBA32F, size.x, size.y, GL_LINEAR), {}, size.x, size.y};
+    for (const glm::ivec2& size : bloomLevelSizes(blocks_)) {
+        Level level{gl::makeTexture2d(GL_RGBA32F, size.x, size.y, GL_LINEAR), {}, size};
         level.framebuffer = gl::makeFramebufferFor({level.texture.id()});
         levels_.push_back(std::move(level));
     }
 }
 
-void BloomPass::drawInto(const Level& target, GLuint source, int sourceWidth, int sourceHeight,
+void BloomPass::drawInto(const Level& target, GLuint source, glm::ivec2 sourceSize,
                          const gl::Program& program) {
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
-    glViewport(0, 0, target.width, target.height);
+    glViewport(0, 0, target.size.x, target.size.y);
     gl::bindTexture(0, GL_TEXTURE_2D, source);
     program.set("source", 0);
-    program.set("sourceTexel",
-                glm::vec2(1.0f / static_cast<float>(sourceWidth), 1.0f / static_cast<float>(sourceHeight)));
+    program.set("sourceTexel", 1.0f / glm::vec2(sourceSize));
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void BloomPass::draw(GLuint radiance) {
+void BloomPass::draw(GLuint means) {
     if (levels_.empty()) allocate();
     const gl::Program& down = down_.get();
     const gl::Program& up = up_.get();
     glBindVertexArray(noVertices_.id());
     down.use();
-    drawInto(levels_[0], radiance, width_, height_, down);
+    drawInto(levels_.front(), means, blocks_, down);
     for (std::size_t i = 1; i < levels_.size(); ++i) {
-        drawInto(levels_[i], levels_[i - 1].texture.id(), levels_[i - 1].width, levels_[i - 1].height, down);
+        drawInto(levels_[i], levels_[i - 1].texture.id(), levels_[i - 1].size, down);
     }
     // Each level becomes an even mix of itself and everything coarser, so that the weights sum to 1.
     glEnable(GL_BLEND);
@@ -65,9 +60,7 @@ void BloomPass::draw(GLuint radiance) {
     glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
     up.use();
     for (std::size_t i = levels_.size() - 1; i > 0; --i) {
-        const Level& target = levels_[i - 1];
-        up.set("targetPx", glm::vec2(target.width, target.height));
-        drawInto(target, levels_[i].texture.id(), levels_[i].width, levels_[i].height, up);
+        drawInto(levels_[i - 1], levels_[i].texture.id(), levels_[i].size, up);
     }
     glDisable(GL_BLEND);
 }

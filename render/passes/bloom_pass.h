@@ -10,42 +10,45 @@
 
 namespace hazer::render {
 
-/// Width and height of the blurred pictures of a picture of this size, the finest first.
-std::vector<glm::ivec2> bloomLevelSizes(int width, int height);
+/// A clean camera lens scatters a few percent of what falls on it. What stays within two pixels is not drawn.
+inline constexpr float kBloomShare = 0.02f;
 
-/// Nothing of it exists before the first draw().
+/// Sizes of the levels for a picture of so many blocks, largest first.
+std::vector<glm::ivec2> bloomLevelSizes(glm::ivec2 blocks);
+
 class BloomPass {
  public:
     explicit BloomPass(const std::filesystem::path& shaderFolder);
 
-    void resize(int width, int height);
+    /// For a picture of so many blocks.
+    void resize(glm::ivec2 blocks);
 
-    /// Blurs `radiance` (a texture of the size given to resize). The result has the same mean.
-    void draw(GLuint radiance);
+    /// Blurs the means of blocks, a linearly filtered texture of the size given to resize.
+    void draw(GLuint means);
+
+    /// Light of the same mean, blurred, at half the size of the blocks. Together with the blocks themselves,
+    /// half and half, it is the bloom.
+    GLuint texture() const { return levels_.empty() ? 0 : levels_.front().texture.id(); }
+    glm::ivec2 size() const { return levels_.front().size; }
 
     /// Adds what there is on the GPU.
     void list(Resources& resources) const;
-
-    /// Half the size of the picture.
-    GLuint texture() const { return levels_.empty() ? 0 : levels_.front().texture.id(); }
 
  private:
     struct Level {
         gl::Texture texture;
         gl::Framebuffer framebuffer;
-        int width = 0;
-        int height = 0;
+        glm::ivec2 size{0};
     };
     void allocate();
-    void drawInto(const Level& target, GLuint source, int sourceWidth, int sourceHeight,
-                  const gl::Program& program);
+    static void drawInto(const Level& target, GLuint source, glm::ivec2 sourceSize,
+                         const gl::Program& program);
 
     gl::LazyProgram down_;
     gl::LazyProgram up_;
     gl::VertexArray noVertices_ = gl::makeVertexArray();
     std::vector<Level> levels_;
-    int width_ = 0;
-    int height_ = 0;
+    glm::ivec2 blocks_{0};
 };
 
 }  // namespace hazer::render

@@ -1,10 +1,11 @@
-// The last pass: radiance to display colours.
+// Radiance to display colours.
 #pragma once
 
 #include <filesystem>
 
 #include "render/gl/handle.h"
 #include "render/gl/program.h"
+#include "render/passes/display_grid.h"
 #include "render/resources.h"
 
 namespace hazer::render {
@@ -13,8 +14,9 @@ class ToneMapPass {
  public:
     explicit ToneMapPass(const std::filesystem::path& shaderFolder);
 
-    /// Writes the bound framebuffer, which has the size of `radiance`. bloom 0: none.
-    void draw(GLuint radiance, GLuint bloom, int width, int height, float exposureEv100);
+    /// Writes colour 0 (alpha: brightness) and colour 1 (the same, opaque) of the bound framebuffer, which
+    /// has the size of `radiance` and the grid's mask as its depth.
+    void draw(GLuint radiance, const DisplayGrid& grid, bool withBloom, float exposure);
 
     /// Adds what there is on the GPU.
     void list(Resources& resources) const;

@@ -10,7 +10,7 @@ flat in vec4 gobo;
 flat in vec4 shadow;
 flat in vec4 lens;
 
-uniform sampler2D geometryBuffer;
+uniform sampler2D distanceBuffer;
 uniform vec2 viewportPx;
 uniform vec2 viewTangent;  // tangents of half the field of view
 uniform float pixelStep;   // only every so many pixels are drawn
@@ -24,7 +24,8 @@ float pixelAngle() { return 2.0 * viewTangent.y / viewportPx.y; }
 // The centre of the pixel of the whole picture that is drawn here [px].
 vec2 pixelCenter() { return (gl_FragCoord.xy - 0.5) * pixelStep + 0.5; }
 
-vec4 pixelGeometry() { return texelFetch(geometryBuffer, min(ivec2(pixelCenter()), textureSize(geometryBuffer, 0) - 1), 0); }
+// Where the ray of this pixel ends [m].
+float pixelDistance() { return texelFetch(distanceBuffer, min(ivec2(pixelCenter()), textureSize(distanceBuffer, 0) - 1), 0).r; }
 
 vec3 viewDirection() { return normalize(vec3((2.0 * pixelCenter() / viewportPx - 1.0) * viewTangent, -1.0)); }
 

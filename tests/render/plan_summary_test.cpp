@@ -85,14 +85,14 @@ TEST_F(PlanSummaryTest, EveryPartHasAReason) {
 
 TEST_F(PlanSummaryTest, PassesAreInTheOrderOfTheFrame) {
     EXPECT_THAT(summarize().passes,
-                ::testing::ElementsAre("shadow maps", "surfaces", "ambient", "lit surfaces", "beams",
-                                       "lenses", "bloom", "tone map", "antialias"));
+                ::testing::ElementsAre("shadow maps", "surfaces", "lit surfaces", "beams", "lenses",
+                                       "block means", "bloom", "display grid", "tone map", "antialias"));
 }
 
 TEST_F(PlanSummaryTest, WithoutABodyThereIsOnlyTheBackground) {
     full_.scene.instances.clear();
-    EXPECT_THAT(summarize().passes,
-                ::testing::ElementsAre("background", "beams", "lenses", "bloom", "tone map", "antialias"));
+    EXPECT_THAT(summarize().passes, ::testing::ElementsAre("background", "beams", "lenses", "block means",
+                                                           "bloom", "display grid", "tone map", "antialias"));
     expectLeftOut("bodies", "the scene has no body");
 }
 
