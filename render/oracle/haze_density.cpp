@@ -50,12 +50,13 @@ double noiseAt(const Bytes& volume, const glm::dvec3& tiles) {
 Density hazeDensity(const Haze& haze, double timeS) {
     const HazeNoise noise = haze.noise;
     if (noise.amount <= 0.0f) return {};
-    const auto volume = std::make_shared<const Bytes>(makeNoiseVolume(kNoiseSize, 1));
+    const auto volume = std::make_shared<const Bytes>(makeNoiseVolume(kNoiseSize, noise.seed));
     return [noise, timeS, volume](const glm::dvec3& placeM) {
         const double tileM = kNoiseCells * static_cast<double>(noise.scaleM);
         glm::dvec3 tiles = (placeM - glm::dvec3(noise.windMps) * timeS) / tileM;
         const glm::dvec3 turned(tiles.y, tiles.z, tiles.x);
-        tiles += kPush * glm::sin(kTwoPi * (2.0 * turned + kStirHz * timeS));
+        tiles += kPush * glm::sin(kTwoPi *
+                                  (2.0 * turned + kStirHz * (static_cast<double>(noise.turbulence) * timeS)));
         return std::max(1.0 + noise.amount * kContrast * (noiseAt(*volume, tiles) - 0.5), 0.0);
     };
 }

@@ -45,9 +45,11 @@ void AirPass::setHaze(const gl::Program& program, const LightInputs& in, LightFe
 }
 
 void AirPass::setNoise(const gl::Program& program, const LightInputs& in) {
-    if (noise_.id() == 0) {
+    const HazeNoise& noise = in.scene.haze.noise;
+    if (noise_.id() == 0 || noise.seed != noiseSeed_) {
+        noiseSeed_ = noise.seed;
         noise_ = gl::makeTexture();
-        const std::vector<std::uint8_t> bytes = makeNoiseVolume(kNoiseSize, 1);
+        const std::vector<std::uint8_t> bytes = makeNoiseVolume(kNoiseSize, noise.seed);
         gl::bindTexture(kNoiseUnit, GL_TEXTURE_3D, noise_.id());
         glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, kNoiseSize, kNoiseSize, kNoiseSize, 0, GL_RED, GL_UNSIGNED_BYTE,
                      bytes.data());
@@ -55,7 +57,6 @@ void AirPass::setNoise(const gl::Program& program, const LightInputs& in) {
         glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     }
     gl::bindTexture(kNoiseUnit, GL_TEXTURE_3D, noise_.id());
-    const HazeNoise& noise = in.scene.haze.noise;
     const double tileM = kNoiseCells * static_cast<double>(noise.scaleM);
     const auto fraction = [](const glm::dvec3& v) { return glm::vec3(v - glm::floor(v)); };
     program.set("worldFromView", glm::mat3(worldFromView(in.camera)));
@@ -63,7 +64,7 @@ void AirPass::setNoise(const gl::Program& program, const LightInputs& in) {
     program.set("noiseOrigin",
                 fraction((in.camera.positionM - glm::dvec3(noise.windMps) * in.scene.timeS) / tileM));
     program.set("noisePerM", static_cast<float>(1.0 / tileM));
-    program.set("noiseWave", fraction(kStirHz * in.scene.timeS));
+    program.set("noiseWave", fraction(kStirHz * (static_cast<double>(noise.turbulence) * in.scene.timeS)));
     program.set("noiseAmount", noise.amount);
 }
 

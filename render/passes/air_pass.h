@@ -35,6 +35,7 @@ class AirPass {
     std::map<LightFeatures, gl::Program> variants_;
     BeamBatch batch_;
     gl::Texture noise_;
+    std::uint32_t noiseSeed_ = 0;  ///< That noise_ was made from.
 };
 
 }  // namespace hazer::render
