@@ -55,6 +55,8 @@ class AccuracyRun {
     AccuracyRun(Session& session, const AccuracyOptions& options)
         : session_(session), options_(options), air_(airAlone(session.scene())) {}
 
+    /// As many for the converged picture as there is time for.
+    void chooseNodes(AccuracyScene& result);
     void drawReference();
     void measureOtherPasses();
     void measure(const IntegratorSetting& setting, AccuracyScene& result);
@@ -71,6 +73,7 @@ class AccuracyRun {
     Session& session_;
     const AccuracyOptions& options_;
     render::Scene air_;
+    int nodes_ = 0;
     render::FloatImage reference_;
     double otherPassesMs_ = 0.0;
     IntegratorSetting previous_;
@@ -90,8 +93,20 @@ double AccuracyRun::draw(const render::Settings& settings) {
     return lastMs(session_.renderer(), isAirPass);
 }
 
+void AccuracyRun::chooseNodes(AccuracyScene& result) {
+    constexpr int kNodes = 4096;
+    constexpr int kTried = 128;
+    draw(convergedSettings(kTried));  // compiles shaders
+    const double triedS = 1e-3 * draw(convergedSettings(kTried));
+    nodes_ = kNodes;
+    while (nodes_ > kTried && triedS * nodes_ / kTried > options_.longestS) nodes_ /= 2;
+    if (nodes_ == kNodes) return;
+    result.notes.push_back(fmt::format(
+        "The converged picture has {} nodes instead of {}, which would take too long.", nodes_, kNodes));
+}
+
 void AccuracyRun::drawReference() {
-    draw(convergedSettings());
+    draw(convergedSettings(nodes_));
     reference_ = session_.renderer().readRadiance();
     if (litPixels(reference_).empty()) {
         throw std::runtime_error(
@@ -175,7 +190,7 @@ void AccuracyRun::checkWhole(AccuracyScene& result) const {
     }
     hideLenses(scene);
     scene.haze.deltaEddington = false;
-    session_.renderer().render(scene, session_.camera(), sized(convergedSettings()));
+    session_.renderer().render(scene, session_.camera(), sized(convergedSettings(nodes_)));
     result.wholeOracle = check(session_.renderer().readRadiance(), scene, result);
 }
 
@@ -186,6 +201,7 @@ AccuracyScene measureAccuracy(Session& session, const AccuracyOptions& options,
     AccuracyScene result;
     result.title = session.show().title;
     AccuracyRun run(session, options);
+    run.chooseNodes(result);
     run.drawReference();
     run.checkAir(result);
     run.checkWhole(result);

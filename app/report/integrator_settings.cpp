@@ -42,9 +42,10 @@ std::vector<IntegratorSetting> integratorSettings(bool isQuick) {
     return table;
 }
 
-render::Settings convergedSettings() {
+render::Settings convergedSettings(int nodes) {
     render::Settings settings;
-    settings.samples = 4096;
+    settings.samples = nodes;
+    settings.airStep = 1;
     return settings;
 }
 

@@ -27,7 +27,7 @@ std::string samplesSetting(int samples);
 /// The thesis' own numbers of samples: of its table of frames a second.
 const std::vector<int>& thesisSamples();
 
-/// Converged for every purpose: what the others are held against.
-render::Settings convergedSettings();
+/// The angle integrator at every pixel with so many nodes: what the others are held against.
+render::Settings convergedSettings(int nodes);
 
 }  // namespace hazer::app
