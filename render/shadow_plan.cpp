@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "render/gpu_beam.h"
@@ -17,34 +18,45 @@ constexpr double kRimM = 0.01;
 /// each.
 constexpr double kFaceHalfTangent = 1.05;
 
-/// A body as one lamp sees it.
+/// A body in the world: its bounding sphere, and how low its bounding box reaches.
+struct WorldBody {
+    glm::dvec3 middleM{0.0};
+    double radiusM = 0.0;
+    double lowestM = 0.0;  ///< World Z.
+};
+
+/// The same as one lamp sees it.
 struct Body {
     int instance = 0;
-    glm::dvec3 middleM{0.0};  ///< Of its bounding sphere, lamp space.
+    glm::dvec3 middleM{0.0};  ///< Lamp space.
     double radiusM = 0.0;
+    double lowestM = 0.0;
 };
 
-struct WorldSphere {
-    glm::dvec3 middleM;
-    double radiusM;
-};
+/// How much longer a transform makes anything at most.
+double largestStretch(const glm::dmat4& m) {
+    const double skew =
+        std::abs(glm::dot(m[0], m[1])) + std::abs(glm::dot(m[1], m[2])) + std::abs(glm::dot(m[2], m[0]));
+    const double squares = glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]);
+    // The Frobenius norm bounds a sheared body's, too; without shear the longest edge is exact.
+    if (skew > 1e-9 * squares) return std::sqrt(squares);
+    return std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+}
 
-std::vector<WorldSphere> worldSpheres(const Scene& scene, std::span<const MeshBounds> bounds) {
-    std::vector<WorldSphere> spheres;
-    spheres.reserve(scene.instances.size());
+std::vector<WorldBody> worldBodies(const Scene& scene, std::span<const MeshBounds> bounds) {
+    std::vector<WorldBody> bodies;
+    bodies.reserve(scene.instances.size());
     for (const MeshInstance& instance : scene.instances) {
-        const BoundingSphere& sphere = bounds[static_cast<std::size_t>(instance.mesh)].sphere;
-        const glm::dmat4& m = instance.worldFromMesh;
-        // The Frobenius norm is at least the largest stretch, also of a sheared body.
-        const double stretch = std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
-        const double longest = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
-        const bool isOrthogonal =
-            std::abs(glm::dot(m[0], m[1])) + std::abs(glm::dot(m[1], m[2])) + std::abs(glm::dot(m[2], m[0])) <
-            1e-9 * stretch * stretch;
-        spheres.push_back({glm::dvec3(m * glm::dvec4(sphere.centerM, 1.0f)),
-                           (isOrthogonal ? longest : stretch) * static_cast<double>(sphere.radiusM)});
+        const MeshBounds& mesh = bounds[static_cast<std::size_t>(instance.mesh)];
+        const EdgedBox box = edgedBox(mesh.box, instance.worldFromMesh);
+        WorldBody body;
+        body.middleM = glm::dvec3(instance.worldFromMesh * glm::dvec4(mesh.sphere.centerM, 1.0f));
+        body.radiusM = largestStretch(instance.worldFromMesh) * static_cast<double>(mesh.sphere.radiusM);
+        body.lowestM = box.middleM.z - std::abs(box.halfEdgesM[0].z) - std::abs(box.halfEdgesM[1].z) -
+                       std::abs(box.halfEdgesM[2].z);
+        bodies.push_back(body);
     }
-    return spheres;
+    return bodies;
 }
 
 /// Can any of it be in the cone? The cone may be wider than a half space.
@@ -67,15 +79,22 @@ class Lamp {
           apexM_(apexPosition(scene.beams[static_cast<std::size_t>(beam)], shape)),
           lampFromWorld_(glm::transpose(scene.beams[static_cast<std::size_t>(beam)].worldFromBeam)) {}
 
-    void look(const std::vector<WorldSphere>& spheres) {
-        for (std::size_t i = 0; i < spheres.size(); ++i) {
-            const Body body{static_cast<int>(i), lampFromWorld_ * (spheres[i].middleM - apexM_),
-                            spheres[i].radiusM};
+    void look(const std::vector<WorldBody>& world) {
+        for (std::size_t i = 0; i < world.size(); ++i) {
+            const Body body{static_cast<int>(i), lampFromWorld_ * (world[i].middleM - apexM_),
+                            world[i].radiusM, world[i].lowestM};
             if (isInCone(body, shape_)) bodies_.push_back(body);
         }
     }
 
-    std::optional<SurfaceReach> reach() const { return isWideLamp(shape_) ? wideReach() : axialReach(); }
+    std::optional<SurfaceReach> reach() const {
+        std::optional<SurfaceReach> reach = isWideLamp(shape_) ? wideReach() : axialReach();
+        if (!reach) return reach;
+        double lowestM = std::numeric_limits<double>::infinity();
+        for (const Body& body : bodies_) lowestM = std::min(lowestM, body.lowestM);
+        reach->deepM = apexM_.z - lowestM;
+        return reach;
+    }
 
     std::optional<ShadowMapPlan> map() const {
         ShadowMapPlan plan;
@@ -125,8 +144,9 @@ class Lamp {
             if (!part) continue;
             // What the rim would cut is lit, from the lens on.
             const double nearM = part->nearM <= from.nearestM ? from.nearestM - kRimM : part->nearM;
-            if (!reach) reach = {nearM, part->farM};
-            *reach = {std::min(reach->nearM, nearM), std::max(reach->farM, part->farM)};
+            if (!reach) reach = {nearM, part->farM, 0.0};
+            reach->nearM = std::min(reach->nearM, nearM);
+            reach->farM = std::max(reach->farM, part->farM);
         }
         return reach;
     }
@@ -135,7 +155,7 @@ class Lamp {
         std::optional<SurfaceReach> reach;
         for (const Body& body : bodies_) {
             const double farM = glm::length(body.middleM) + body.radiusM;
-            reach = {0.0, reach ? std::max(reach->farM, farM) : farM};
+            reach = {0.0, reach ? std::max(reach->farM, farM) : farM, 0.0};
         }
         return reach;
     }
@@ -189,13 +209,13 @@ glm::dmat3 faceFromLamp(int face) {
 
 ShadowPlan planShadows(const Scene& scene, const std::vector<int>& lit, const std::vector<BeamShape>& shapes,
                        std::span<const MeshBounds> bounds, const ShadowDetail& detail, bool wantsMaps) {
-    const std::vector<WorldSphere> spheres = worldSpheres(scene, bounds);
+    const std::vector<WorldBody> bodies = worldBodies(scene, bounds);
     ShadowPlan plan;
     plan.reach.resize(scene.beams.size());
     for (const int beam : lit) {
         const auto index = static_cast<std::size_t>(beam);
         Lamp lamp(scene, beam, shapes[index], bounds);
-        lamp.look(spheres);
+        lamp.look(bodies);
         plan.reach[index] = lamp.reach();
         if (!wantsMaps || !scene.beams[index].castsShadow || !plan.reach[index]) continue;
         if (std::optional<ShadowMapPlan> map = lamp.map()) plan.maps.push_back(std::move(*map));

@@ -30,11 +30,12 @@ struct ShadowMapPlan {
     std::vector<ShadowFacePlan> faces;  ///< Those with casters; at least one.
 };
 
-/// Distances from the virtual apex between which a lamp meets surfaces [m]: along the axis, or for a wide
-/// lamp as the crow flies.
+/// Where a lamp meets surfaces. Distances from the virtual apex [m]: along the axis, or for a wide lamp as
+/// the crow flies.
 struct SurfaceReach {
     double nearM = 0.0;
     double farM = 0.0;
+    double deepM = 0.0;  ///< No surface is farther below the apex than this, in world Z; may be negative.
 };
 
 /// Beyond this half angle a lamp is wide: one plane would be stretched too much.

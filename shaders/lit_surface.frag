@@ -8,6 +8,7 @@ float webAt(vec3 direction);  // see web_picture.glsl
 #endif
 #include "include/beam_medium.glsl"
 #include "include/surface.glsl"
+#include "include/surface_light.glsl"
 #include "include/beam_pixel.glsl"
 
 uniform sampler2D shapeBuffer;
@@ -26,40 +27,82 @@ out vec4 radiance;
 #include "include/web_picture.glsl"
 #endif
 
-// Illuminance [lx] of the surface for a lamp of 1 cd; `here` is the surface as the lamp sees it.
-vec3 illuminance(LampSample here, float distanceToEyeM, vec3 normal, float slant) {
-    float axialM = here.distanceM * here.cosAxis;
-    float cosIn = -dot(normal, here.direction);
-    if (here.cosAxis < cone.x || axialM < light.w || cosIn <= 0.0) return vec3(0.0);
-    float lensToSurfaceM = here.distanceM - light.w / here.cosAxis;
-    vec3 lux = vec3(beamProfile(beamOptics(), here) * exp(-extinctionPerM * lensToSurfaceM) * cosIn /
+// A surface that the lamp may light, in the lamp's frame.
+struct LitPoint {
+    vec3 positionM;  // from the apex
+    vec3 normal;     // unit
+    vec3 toEye;      // unit
+    float eyeM;      // distance to the eye
+    float distanceM; // from the apex
+    float cosIn;     // of the light's angle to the normal
+};
+
+LitPoint scaled(LitPoint here, float scale) {
+    return LitPoint(here.positionM * scale, here.normal * scale, here.toEye * scale, here.eyeM * scale, here.distanceM * scale,
+                    here.cosIn * scale);
+}
+
+// Is it in the beam, before the lens, and turned to the lamp?
+bool isLit(LitPoint here) {
+    float axialM = -here.positionM.z;
+    return here.eyeM < SKY_DISTANCE_M && axialM >= cone.x * here.distanceM && axialM >= light.w && here.cosIn > 0.0;
+}
+
+// Illuminance [lx] for a lamp of 1 cd.
+vec3 illuminance(LitPoint here) {
+    float axialM = -here.positionM.z;
+    LampSample sampled;
+    sampled.distanceM = here.distanceM;
+    sampled.direction = here.positionM / here.distanceM;
+    sampled.cosAxis = -sampled.direction.z;
+    sampled.sinAxis = length(sampled.direction.xy);
+    float lensToSurfaceM = here.distanceM - light.w / sampled.cosAxis;
+    vec3 lux = vec3(beamProfile(beamOptics(), sampled) * exp(-extinctionPerM * lensToSurfaceM) * here.cosIn /
                     (here.distanceM * here.distanceM));
 #ifdef GOBO
-    lux *= goboOnSurface(here.direction, axialM, pixelAngle() * distanceToEyeM / slant);
+    // The pixel's footprint on the surface; one seen along itself is cut short.
+    float cosOut = dot(here.toEye, here.normal);
+    float widthM = pixelAngle() * here.eyeM;
+    vec3 across = cross(here.normal, here.toEye);
+    float sinOut = length(across) + 1e-6;
+    across *= widthM / sinOut;
+    vec3 along = (here.normal * cosOut - here.toEye) * (widthM / (sinOut * max(cosOut, 0.1)));
+    lux *= goboOnSurface(sampled.direction, axialM, along, across);
 #endif
 #ifdef SHADOW
-    lux *= surfaceVisibility(here.direction * here.distanceM, normal);
+    lux *= surfaceVisibility(here.positionM, here.normal, lux != vec3(0.0));
 #endif
     return lux;
 }
 
+// Radiance for a lamp of 1 cd.
+vec3 reflected(LitPoint here, vec4 material, float shininess) {
+    vec3 toLamp = here.positionM / -here.distanceM;
+    vec3 halfway = normalize(toLamp + here.toEye);
+    float diffuse;
+    float glossy;
+    surfaceReflection(here.cosIn, max(dot(here.normal, here.toEye), 1e-4), max(dot(here.normal, halfway), 0.0), max(dot(toLamp, halfway), 0.0),
+                      material.a, shininess, diffuse, glossy);
+    return illuminance(here) * (material.rgb * diffuse + glossy) * exp(-extinctionPerM * here.eyeM);
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float distanceM = pixelDistance();
-    if (distanceM >= SKY_DISTANCE_M) discard;
     vec4 shape = texelFetch(shapeBuffer, pixel, 0);
-    float shininess = shape.z * MAX_SHININESS;
-    LampRay ray = pixelRay();
-    float s = distanceM - ray.tClosest;
-    float r = sqrt(ray.h * ray.h + s * s);
-    LampSample here = lampSample(ray, ray.h / r, s / r, light.w);
-    vec3 normal = toLamp(unpackNormal(shape.xy));
-    vec3 lux = illuminance(here, distanceM, normal, max(-dot(ray.along, normal), 0.2));
-    if (lux == vec3(0.0)) discard;
-    vec4 material = texelFetch(materialTable, materialTexel(shape.w), 0);
-    vec3 halfway = normalize(-here.direction - ray.along);
-    // Blinn-Phong, normalised so that a lobe reflects what `specular` says (Akenine-Moeller et al., Real-Time Rendering, ch. 9).
-    float gloss = (shininess + 8.0) / (8.0 * PI) * pow(max(dot(normal, halfway), 0.0), shininess);
-    vec3 reflected = lux * (material.rgb / PI + material.a * gloss);
-    radiance = vec4(reflected * exp(-extinctionPerM * distanceM) * light.rgb, 1.0);
+    LitPoint here;
+    here.eyeM = pixelDistance();
+    if (here.eyeM >= SKY_DISTANCE_M) discard;
+    here.toEye = -toLamp(viewDirection());
+    here.positionM = vec3(row0.w, row1.w, row2.w) - here.eyeM * here.toEye;
+    here.distanceM = length(here.positionM);
+    here.normal = toLamp(unpackNormal(shape.xy));
+    here.cosIn = -dot(here.normal, here.positionM) / here.distanceM;
+    vec3 sum = vec3(0.0);
+    // A processor that draws several pixels at once runs both sides of a condition, but leaves a loop when the last one is done. What the
+    // loop works on has to come out of it, or a compiler would do the work beforehand.
+    for (float once = isLit(here) ? 1.0 : 0.0; once > 0.0; once -= 1.0) {
+        sum += reflected(scaled(here, once), texelFetch(materialTable, materialTexel(shape.w), 0), shape.z * MAX_SHININESS);
+    }
+    if (sum == vec3(0.0)) discard;
+    radiance = vec4(sum * light.rgb, 1.0);
 }

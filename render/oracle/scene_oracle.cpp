@@ -23,6 +23,38 @@ HazeModel hazeModel(const Haze& haze) {
             haze.phase.forwardWeight};
 }
 
+/// Schlick's Fresnel term of a coat that reflects `headOn`, and along itself all, or fifty times as much.
+double fresnel(double cosine, double headOn) {
+    return glm::mix(headOn, std::min(1.0, 50.0 * headOn), std::pow(1.0 - cosine, 5.0));
+}
+
+double tangentOf(double cosine) {
+    return std::sqrt(std::max(1.0 - cosine * cosine, 0.0)) / cosine;
+}
+
+/// A rough coat over a diffuse ground [1/sr], by the book (Walter et al. 2007; Heitz 2014): the distribution
+/// of Trowbridge and Reitz with Smith's shadowing told by the tangents of the angles.
+glm::dvec3 reflectancePerSr(const Material& material, const glm::dvec3& normal, const glm::dvec3& toLamp,
+                            const glm::dvec3& toEye) {
+    const double headOn = material.specular;
+    const double cosIn = glm::dot(normal, toLamp);
+    const double cosOut = std::max(glm::dot(normal, toEye), 1e-4);
+    const glm::dvec3 halfway = glm::normalize(toLamp + toEye);
+    const double cosHalf = glm::dot(normal, halfway);
+    const double roughness = std::sqrt(2.0 / (material.shininess + 2.0));
+    const double slope = tangentOf(cosHalf) / roughness;
+    const double distribution =
+        1.0 / (kPi * std::pow(roughness * cosHalf * cosHalf * (1.0 + slope * slope), 2.0));
+    const auto hidden = [roughness](double cosine) {
+        return 0.5 * (std::hypot(1.0, roughness * tangentOf(cosine)) - 1.0);
+    };
+    const double shadowing = 1.0 / (1.0 + hidden(cosIn) + hidden(cosOut));
+    const double glossy =
+        fresnel(glm::dot(halfway, toLamp), headOn) * distribution * shadowing / (4.0 * cosIn * cosOut);
+    const double ground = (1.0 - fresnel(cosIn, headOn)) * (1.0 - fresnel(cosOut, headOn)) / kPi;
+    return glm::dvec3(material.albedo) * ground + glossy;
+}
+
 }  // namespace
 
 SceneOracle::SceneOracle(Scene scene, const Camera& camera, int width, int height, Library library)
@@ -125,11 +157,9 @@ glm::dvec3 SceneOracle::surfaceOf(const Lamp& lamp, const Ray& ray, const BodyPo
         const double slant = std::max(-glm::dot(ray.direction, hit.normal), 0.2);
         lux *= throughGobo(lamp, *gobo, inLampM, pixelRad_ * hit.distanceM / slant);
     }
-    const Material& material = scene_.instances[hit.instance].material;
-    const double n = material.shininess;
-    const double cosHalf = std::max(glm::dot(hit.normal, glm::normalize(toLamp - ray.direction)), 0.0);
-    const double gloss = material.specular * (n + 8.0) / (8.0 * kPi) * std::pow(cosHalf, n);
-    return lux * (glm::dvec3(material.albedo) / kPi + gloss) * glm::dvec3(lamp.beam.color);
+    const glm::dvec3 reflectance =
+        reflectancePerSr(scene_.instances[hit.instance].material, hit.normal, toLamp, -ray.direction);
+    return lux * reflectance * glm::dvec3(lamp.beam.color);
 }
 
 }  // namespace hazer::render::oracle

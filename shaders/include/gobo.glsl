@@ -7,14 +7,17 @@ vec2 goboPlace(vec3 direction) {
     return vec2(gobo.y * tangent.x + gobo.z * tangent.y, gobo.y * tangent.y - gobo.z * tangent.x);
 }
 
+// What a length at axialM from the apex is on the gobo, in texels.
+float goboTexels(float tangent) { return tangent * length(gobo.yz) * 0.5 * float(textureSize(goboImages, 0).x); }
+
+// Circle of confusion on the gobo, as a tangent: exit pupil times the error of vergence (thin lens).
+float goboDefocus(float axialM) {
+    return gobo.w < 0.0 ? 0.0 : 2.0 * lens.x * abs(1.0 / max(axialM - light.w, 1e-3) - gobo.w);
+}
+
 // Width of the blur on the gobo in texels, at least 1. footprintM: width of what is looked at, at axialM from the apex.
 float goboBlurTexels(float axialM, float footprintM) {
-    float blurM = footprintM / axialM;
-    if (gobo.w >= 0.0) {
-        // Circle of confusion on the gobo, as a tangent: exit pupil times the error of vergence (thin lens).
-        blurM = max(blurM, 2.0 * lens.x * abs(1.0 / max(axialM - light.w, 1e-3) - gobo.w));
-    }
-    return max(blurM * length(gobo.yz) * 0.5 * float(textureSize(goboImages, 0).x), 1.0);
+    return max(goboTexels(max(footprintM / axialM, goboDefocus(axialM))), 1.0);
 }
 
 vec3 goboTexel(vec2 uv, float level) { return textureLod(goboImages, vec3(uv, gobo.x), level).rgb; }
@@ -24,13 +27,36 @@ vec3 goboInAir(vec3 direction, float axialM, float footprintM) {
     return goboTexel(0.5 + 0.5 * vec2(q.x, -q.y), log2(goboBlurTexels(axialM, footprintM)));
 }
 
-vec3 goboOnSurface(vec3 direction, float axialM, float footprintM) {
+// A small displacement on a surface (lamp frame) at a point seen in a direction, on the gobo: texture coordinates.
+vec2 goboStep(vec3 direction, float axialM, vec3 stepM) {
+    vec2 tangent = (stepM.xy + stepM.z * direction.xy / -direction.z) / axialM;
+    return 0.5 * vec2(gobo.y * tangent.x + gobo.z * tangent.y, gobo.z * tangent.x - gobo.y * tangent.y);
+}
+
+// Mean over a pixel of a surface. longM and shortM: what the pixel covers there, along the way of the eye and across it (lamp frame).
+vec3 goboOnSurface(vec3 direction, float axialM, vec3 longM, vec3 shortM) {
     vec2 q = goboPlace(direction);
     vec2 uv = 0.5 + 0.5 * vec2(q.x, -q.y);
-    // A blurred edge drawn large shows the steps of a single coarse texel; four taps one level finer round them off.
-    float texels = goboBlurTexels(axialM, footprintM);
-    float level = max(log2(texels) - 1.0, 0.0);
-    float apart = 0.5 * (texels - 1.0) / float(textureSize(goboImages, 0).x);
-    return 0.25 * (goboTexel(uv + apart, level) + goboTexel(uv - apart, level) + goboTexel(uv + vec2(apart, -apart), level) +
-                   goboTexel(uv - vec2(apart, -apart), level));
+    vec2 longUv = goboStep(direction, axialM, longM);
+    vec2 shortUv = goboStep(direction, axialM, shortM);
+    // What is out of focus is a pixel at least as large.
+    float size = float(textureSize(goboImages, 0).x);
+    float longTexels = length(longUv) * size + 1e-6;
+    float shortTexels = length(shortUv) * size + 1e-6;
+    float defocus = goboTexels(goboDefocus(axialM));
+    longUv *= max(defocus / longTexels, 1.0);
+    shortUv *= max(defocus / shortTexels, 1.0);
+    longTexels = max(longTexels, defocus);
+    shortTexels = max(shortTexels, defocus);
+    // Four taps on a grid turned against the pixel's, each of a whole mip level, half as wide as the pixel is short. One, where the gobo's
+    // own texels are larger.
+    int taps = max(longTexels, shortTexels) > 1.0 ? 4 : 1;
+    float level = max(floor(log2(max(0.5 * min(longTexels, shortTexels), 0.25 * max(longTexels, shortTexels))) + 0.5), 0.0);
+    vec2 place = taps > 1 ? vec2(0.375, 0.125) : vec2(0.0);
+    vec3 sum = vec3(0.0);
+    for (int tap = 0; tap < taps; ++tap) {
+        sum += goboTexel(uv + place.x * longUv + place.y * shortUv, level);
+        place = vec2(-place.y, place.x);
+    }
+    return sum / float(taps);
 }
