@@ -16,6 +16,7 @@
 #include "render/passes/bloom_pass.h"
 #include "render/passes/display_grid.h"
 #include "render/passes/surface_pass.h"
+#include "render/profile_rule.h"
 #include "render/shadow_projection.h"
 
 namespace hazer::render {
@@ -249,6 +250,9 @@ FramePart profile(const SummaryInputs& in) {
                   : in.plan.lit.empty() ? kNoLampIsLit
                                         : "no lit lamp has a soft edge";
     part.features = {"!FLAT_PROFILE"};
+    if (!part.needed || usesProfileRules(in.plan)) {
+        part.resources.textures = {texture("profile rules", kProfileRuleColumns, kProfileRuleRows, kRgba32F)};
+    }
     return part;
 }
 

@@ -12,31 +12,52 @@ namespace hazer::render::glsl {
 
 // GLSL's built-ins under their own names.
 using glm::abs, glm::atan, glm::ceil, glm::clamp, glm::cos, glm::cross, glm::dot, glm::exp, glm::exp2,
-    glm::length, glm::max, glm::min, glm::normalize, glm::pow, glm::sin, glm::sqrt;
+    glm::findLSB, glm::inversesqrt, glm::length, glm::max, glm::min, glm::normalize, glm::pow, glm::sin,
+    glm::sqrt;
+
+/// What the formulas ask of whoever includes them, where nothing stands in the light's way and the haze is
+/// even. Derive from it to say otherwise.
+template <typename Scalar>
+struct EmptyAir {
+    using Vector = glm::vec<3, Scalar>;
+    bool hasProfileRule() const { return false; }
+    glm::vec<4, Scalar> profileRule(Scalar) const { return glm::vec<4, Scalar>(0); }
+    Vector shadePlace(const Vector& pointM) const { return pointM; }
+    Scalar placeWeight(const Vector&) const { return 1; }
+    bool placeSeesLamp(const Vector&) const { return true; }
+    bool seesLamp(const Vector&) const { return true; }
+    Scalar densityAt(Scalar) const { return 1; }
+};
 
 /// The shared formulas as members, in float or double. Members, so that what a program does not use costs
-/// nothing.
-template <typename Scalar>
-struct Formulas {
+/// nothing. `Surroundings` answers what the formulas ask, see EmptyAir.
+template <typename Scalar, typename Surroundings = EmptyAir<Scalar>>
+struct Formulas : Surroundings {
     using Real = Scalar;
     using Real2 = glm::vec<2, Scalar>;
     using Real3 = glm::vec<3, Scalar>;
+    using Real4 = glm::vec<4, Scalar>;
+    using Surroundings::densityAt, Surroundings::hasProfileRule, Surroundings::placeSeesLamp,
+        Surroundings::placeWeight, Surroundings::profileRule, Surroundings::seesLamp,
+        Surroundings::shadePlace;
     static constexpr Real PI = Real(3.14159265358979323846);
 #include "shaders/include/beam_profile.glsl"
 #include "shaders/include/beam_ray.glsl"
 #include "shaders/include/gauss_legendre.glsl"
 #include "shaders/include/phase.glsl"
 #include "shaders/include/shadow_frustum.glsl"
+#include "shaders/include/surface_light.glsl"
     // Needs those above.
 #include "shaders/include/beam_medium.glsl"
-    // The hooks of beam_integral.glsl: nothing in the way, even haze.
-    Real3 transmissionAt(const LampSample&) {
+    // Gobos are tested through pictures.
+    Real3 apertureAt(const LampSample&) const {
         return Real3(Real(1));
     }
-    Real densityAt(Real) {
-        return Real(1);
-    }
+#include "shaders/include/beam_arc.glsl"
+#include "shaders/include/beam_density.glsl"
 #include "shaders/include/beam_integral.glsl"
+#include "shaders/include/beam_reference.glsl"
+#include "shaders/include/beam_shade.glsl"
 };
 
 }  // namespace hazer::render::glsl

@@ -28,12 +28,13 @@ GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera,
                                     std::sin(beam.goboRotationRad) / tanField,
                                     beam.focusDistanceM > 0.0 ? 1.0 / beam.focusDistanceM : -1.0));
     gpu.shadow =
-        glm::vec4(glm::dvec4(shadow.firstFace, shadow.nearestSurfaceM, shadow.farthestSurfaceM, 0.0));
+        glm::vec4(glm::dvec4(shadow.firstFace, shadow.reach.nearM, shadow.reach.farM, shadow.reach.deepM));
     gpu.lens.x = static_cast<float>(beam.lensRadiusM);
     gpu.lens.z = static_cast<float>(beam.web);
     gpu.lens.w = goboTable.layers > 0
                      ? static_cast<float>(2 * goboTable.firstLayer + (goboTable.layers == 3 ? 1 : 0))
                      : -1.0f;
+    gpu.lens.y = -1.0f;
     return gpu;
 }
 

@@ -7,6 +7,7 @@
 #include "render/gobo_table.h"
 #include "render/photometry.h"
 #include "render/scene.h"
+#include "render/shadow_plan.h"
 
 namespace hazer::render {
 
@@ -26,9 +27,8 @@ glm::dvec3 apexPosition(const Beam& beam, const BeamShape& shape);
 
 /// What the plan of shadows says of a beam.
 struct BeamShadow {
-    int firstFace = -1;            ///< Of its records in ShadowPass::faces(); -1: no map.
-    double nearestSurfaceM = 0.0;  ///< See SurfaceReach.
-    double farthestSurfaceM = 0.0;
+    int firstFace = -1;  ///< Of its records, see ShadowTextures; -1: no map.
+    SurfaceReach reach;
 };
 
 /// Packs a beam for a camera. Positions are subtracted in double, so that a stage a kilometre from the origin

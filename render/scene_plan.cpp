@@ -8,28 +8,30 @@
 #include <utility>
 
 #include "render/camera.h"
+#include "render/profile_rule.h"
 #include "render/shadow_atlas.h"
 
 namespace hazer::render {
 namespace {
 
-constexpr std::array<std::pair<LightFeatures, const char*>, 8> kFeatureNames{
-    {{kFeatureFlat, "FLAT_PROFILE"},
-     {kFeatureGobo, "GOBO"},
-     {kFeatureShadow, "SHADOW"},
-     {kFeatureNoise, "NOISE"},
-     {kFeatureUniform, "UNIFORM"},
-     {kFeatureWeb, "WEB"},
-     {kFeatureCount, "COUNT"},
-     {kFeatureWide, "SHADOW_FACES"}}};
+constexpr std::array<std::pair<LightFeatures, const char*>, 9> kFeatureNames{{{kFeatureFlat, "FLAT_PROFILE"},
+                                                                              {kFeatureGobo, "GOBO"},
+                                                                              {kFeatureShadow, "SHADOW"},
+                                                                              {kFeatureNoise, "NOISE"},
+                                                                              {kFeatureUniform, "UNIFORM"},
+                                                                              {kFeatureWeb, "WEB"},
+                                                                              {kFeatureCount, "COUNT"},
+                                                                              {kFeatureWide, "SHADOW_FACES"},
+                                                                              {kFeatureSampled, "SAMPLED"}}};
 
 /// What only the light in the air knows.
-constexpr LightFeatures kAirOnly = kFeatureNoise | kFeatureUniform | kFeatureCount;
+constexpr LightFeatures kAirOnly = kFeatureNoise | kFeatureUniform | kFeatureCount | kFeatureSampled;
 
 bool canBe(LightFeatures features) {
-    const bool hasTwoProfiles = (features & kFeatureFlat) != 0 && (features & kFeatureWeb) != 0;
+    const auto together = [features](LightFeatures two) { return (features & two) == two; };
     const bool isWideWithoutShadow = (features & kFeatureWide) != 0 && (features & kFeatureShadow) == 0;
-    return !hasTwoProfiles && !isWideWithoutShadow;
+    return !together(kFeatureFlat | kFeatureWeb) && !together(kFeatureUniform | kFeatureSampled) &&
+           !isWideWithoutShadow;
 }
 
 /// Every combination of features without those of `never`.
@@ -64,7 +66,11 @@ LightFeatures featuresOf(const Beam& beam, const BeamShape& shape, const Setting
 LightFeatures airFeatures(const Scene& scene, const Settings& settings) {
     LightFeatures features = 0;
     if (scene.haze.noise.amount > 0.0f) features |= kFeatureNoise;
-    if (settings.integrator == Integrator::kUniform) features |= kFeatureUniform;
+    if (settings.integrator == Integrator::kUniform) {
+        features |= kFeatureUniform;
+    } else if (settings.samples > 0) {
+        features |= kFeatureSampled;
+    }
     return features;
 }
 
@@ -128,6 +134,19 @@ bool usesFeature(const ScenePlan& plan, LightFeature feature) {
     const auto needs = [feature](const BeamGroup& group) { return (group.features & feature) != 0; };
     return std::ranges::any_of(plan.airGroups, needs) || std::ranges::any_of(plan.surfaceGroups, needs) ||
            std::ranges::any_of(plan.lenses, needs);
+}
+
+bool takesProfileRules(LightFeatures group) {
+    return (group & (kFeatureFlat | kFeatureWeb | kFeatureGobo | kFeatureUniform | kFeatureSampled)) == 0;
+}
+
+bool usesProfileRules(const ScenePlan& plan) {
+    const auto isRuled = [&plan](int beam) {
+        return hasProfileRules(plan.shapes[static_cast<std::size_t>(beam)]);
+    };
+    return std::ranges::any_of(plan.airGroups, [&](const BeamGroup& group) {
+        return takesProfileRules(group.features) && std::ranges::any_of(group.beams, isRuled);
+    });
 }
 
 int airStep(const Settings& settings) {

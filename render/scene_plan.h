@@ -25,6 +25,7 @@ enum LightFeature : std::uint32_t {
     kFeatureWeb = 1u << 5,      ///< A photometric web stands for the profile; never with kFeatureFlat.
     kFeatureCount = 1u << 6,    ///< Counts instead of drawing; in the air only.
     kFeatureWide = 1u << 7,     ///< Shadow maps all around a wide lamp; only with kFeatureShadow.
+    kFeatureSampled = 1u << 8,  ///< As many nodes as the settings say; in the air only.
 };
 using LightFeatures = std::uint32_t;
 
@@ -64,6 +65,13 @@ bool usesFeature(const ScenePlan& plan, LightFeature feature);
 int airStep(const Settings& settings);
 
 /// `meshBounds[i]` encloses MeshId i in its own space, `webs[i]` is what WebId i stands for.
+/// Does the group's light in the air take quadrature rules for soft profiles (render/profile_rule.h), as far
+/// as its beams have any?
+bool takesProfileRules(LightFeatures group);
+
+/// Does any beam in the air have such a rule?
+bool usesProfileRules(const ScenePlan& plan);
+
 ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& settings,
                     std::span<const MeshBounds> meshBounds, std::span<const IesWeb> webs = {});
 

@@ -5,9 +5,6 @@
 #include "include/beam_profile.glsl"
 #include "include/beam_ray.glsl"
 #include "include/gauss_legendre.glsl"
-#if defined(GOBO) || defined(SHADOW)
-#define APERTURE 1
-#endif
 #ifdef WEB
 float webAt(vec3 direction);  // see web_picture.glsl
 #endif
@@ -16,10 +13,14 @@ float webAt(vec3 direction);  // see web_picture.glsl
 
 uniform float extinctionPerM;
 uniform float scatteringPerM;
-uniform vec3 phaseLobes;       // forward g, backward g, weight of the forward lobe
-uniform float leastPieces;     // pieces of the lit stretch, 4 nodes each
-uniform int uniformSamples;    // UNIFORM: samples along the ray
-uniform float uniformRangeM;   // UNIFORM: where a ray that hits nothing ends
+uniform vec3 phaseLobes;         // forward g, backward g, weight of the forward lobe
+uniform sampler2D profileRules;  // render/profile_rule.h
+uniform int shadowIntervals;     // of the stretch that something may shade
+uniform int profilePairs;         // of nodes on either side of the axis
+uniform int goboTaps;            // over the lit stretch
+uniform int noiseNodes;          // over the lit stretch
+uniform int sampleCount;         // SAMPLED: over the lit stretch; UNIFORM: over the whole ray
+uniform float uniformRangeM;     // UNIFORM: where a ray that hits nothing ends
 
 uniform float countedAs;  // COUNT: what one integral of this pixel counts
 
@@ -27,41 +28,140 @@ out vec4 radiance;
 
 #ifdef GOBO
 #include "include/gobo.glsl"
+vec3 apertureAt(LampSample here) {
+    float toEyeM = here.pathM - (here.distanceM - light.w / here.cosAxis);
+    return goboInAir(here.direction, here.distanceM * here.cosAxis, pixelAngle() * toEyeM);
+}
+#else
+vec3 apertureAt(LampSample here) { return vec3(1.0); }
 #endif
+
 #ifdef SHADOW
 #include "include/shadow.glsl"
+#else
+bool seesLamp(vec3 pointM) { return true; }
 #endif
+
 #ifdef WEB
 #include "include/web_picture.glsl"
 #endif
+
 #ifdef NOISE
 #include "include/haze_noise.glsl"
 #else
 float densityAt(float t) { return 1.0; }
 #endif
 
-// What stands in the light's way, for beam_integral.glsl.
-vec3 transmissionAt(LampSample here) {
-    vec3 value = vec3(1.0);
-#ifdef SHADOW
-    value *= float(seesLamp(here.direction * here.distanceM));
-#endif
-#ifdef GOBO
-    float toEyeM = here.pathM - (here.distanceM - light.w / here.cosAxis);
-    value *= goboInAir(here.direction, here.distanceM * here.cosAxis, pixelAngle() * toEyeM);
-#endif
-    return value;
+bool hasProfileRule() { return lens.y >= 0.0; }
+
+vec4 profileRule(float share) {
+    vec2 texels = vec2(textureSize(profileRules, 0));
+    return textureLod(profileRules, vec2(share * (texels.x - 1.0) + 0.5, lens.y + 0.5) / texels, 0.0);
 }
 
+#ifdef SHADOW
+#ifdef SHADOW_FACES
+// Six maps: a straight line stays straight in space alone.
+vec3 shadePlace(vec3 pointM) { return pointM; }
+float placeWeight(vec3 place) { return 1.0; }
+bool placeSeesLamp(vec3 place) { return seesLamp(place); }
+#else
+vec3 shadePlace(vec3 pointM) {
+    ShadowFace face = shadowFace(0);
+    float perM = 1.0 / max(-pointM.z, face.tile.w);
+    return vec3(pointM.xy * perM * face.map.xy + face.map.zw, face.tile.w * perM);
+}
+float placeWeight(vec3 place) { return place.z; }
+bool placeSeesLamp(vec3 place) {
+    ShadowFace face = shadowFace(0);
+    return place.z * (1.0 + shadowTexel(face)) >= shadowDepth(face, place.xy);
+}
+#endif
+#else
+vec3 shadePlace(vec3 pointM) { return pointM; }
+float placeWeight(vec3 place) { return 1.0; }
+bool placeSeesLamp(vec3 place) { return true; }
+#endif
+
+#include "include/beam_arc.glsl"
 #include "include/beam_integral.glsl"
+#include "include/beam_shade.glsl"
+#include "include/beam_density.glsl"
+#include "include/beam_reference.glsl"
+#if defined(GOBO) && !defined(UNIFORM) && !defined(SAMPLED)
+uniform sampler2DArray goboTables;
+vec4 goboTableTexel(vec2 place, float layer);
+#include "include/gobo_table.glsl"
+vec4 goboTableTexel(vec2 place, float layer) {
+    return textureLod(goboTables, vec3(place / vec2(GOBO_TABLE_WIDTH, GOBO_TABLE_HEIGHT), layer), 0.0);
+}
+#include "include/beam_gobo.glsl"
+#endif
+
+// Pieces of four nodes for a profile of any shape.
+const int WEB_PIECES = 6;
+
+#ifndef UNIFORM
+// What the lit part of the ray sends to the eye, for integrals see beam_integral.glsl.
+vec3 litLight(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) {
+    Arc arc = makeArc(lit.singular, lit.from, lit.to);
+#ifdef SAMPLED
+#if defined(GOBO) || defined(SHADOW)
+    return integrateSampledObstacles(ray, optics, haze, arc, sampleCount);
+#else
+    return integrateSampled(ray, optics, haze, lit, sampleCount);
+#endif
+#else
+#if defined(GOBO) || defined(SHADOW)
+    float sFrom = placeAt(ray, lit.from);
+    float sTo = placeAt(ray, lit.to);
+#endif
+#ifdef SHADOW
+    float shadeFrom = sFrom;
+    float shadeTo = sTo;
+    bool shaded = shadowStretch(ray, shadeFrom, shadeTo);
+    float shadeShare = arcShare(arc, tangentAt(ray, shadeTo)) - arcShare(arc, tangentAt(ray, shadeFrom));
+    int intervals = shaded ? clamp(int(ceil(float(shadowIntervals) * shadeShare)), 4, shadowIntervals) : 0;
+#endif
+
+#if defined(GOBO)
+#ifdef SHADOW
+    ShadeLine shade = makeShadeLine(ray, shadeFrom, shadeTo);
+    vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, goboTaps, shade, intervals, darkPlaces(shade, intervals));
+#else
+    vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, goboTaps, ShadeLine(0.0, 0.0, vec3(0.0), vec3(0.0)), 0, 0);
+#endif
+#else
+#if defined(FLAT_PROFILE)
+    float smoothSum = integrateSmooth(ray, optics, haze, lit, 1);
+#elif defined(WEB)
+    float smoothSum = integrateSmooth(ray, optics, haze, lit, WEB_PIECES);
+#else
+    float smoothSum = integrateSoft(ray, optics, haze, lit, arc, profilePairs);
+#endif
+#ifdef SHADOW
+    smoothSum = max(smoothSum - integrateDark(ray, optics, haze, arc, shadeFrom, shadeTo, intervals), 0.0);
+#endif
+    vec3 sum = vec3(smoothSum);
+#endif
+#ifdef NOISE
+    sum *= densityOf(ray, optics, haze, arc, noiseNodes, 0.5);
+#endif
+    return sum;
+#endif
+}
+#endif
 
 void main() {
-    float endM = pixelDistance();
+    LampRay ray = pixelRay();
+    BeamOptics optics = beamOptics();
     HazeMedium haze = HazeMedium(extinctionPerM, scatteringPerM, phaseLobes.x, phaseLobes.y, phaseLobes.z);
+    float endM = pixelDistance();
 #ifdef UNIFORM
-    vec3 relative = beamInAirUniform(pixelRay(), beamOptics(), haze, min(endM, uniformRangeM), uniformSamples);
+    vec3 relative = beamInAirUniform(ray, optics, haze, min(endM, uniformRangeM), sampleCount);
 #else
-    vec3 relative = beamInAir(pixelRay(), beamOptics(), haze, endM, leastPieces);
+    LitPart lit = litPart(ray, optics, haze, endM);
+    vec3 relative = lit.some ? litLight(ray, optics, haze, lit) * (haze.scatteringPerM / ray.h) : vec3(0.0);
 #endif
     if (relative == vec3(0.0)) discard;
 #ifdef COUNT

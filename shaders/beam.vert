@@ -24,6 +24,10 @@ flat out vec4 gobo;
 flat out vec4 shadow;
 flat out vec4 lens;
 
+#ifdef SHADOW
+#include "include/shadow_face_input.glsl"
+#endif
+
 // Beams wider than this (half angle 60 degrees) get a prism around everything within range instead.
 const float WIDE_COS = 0.5;
 
@@ -44,6 +48,9 @@ void main() {
     gobo = beamGobo;
     shadow = beamShadow;
     lens = beamLens;
+#ifdef SHADOW
+    passShadowFace();
+#endif
     vec3 fromCamera = hullCorner() - vec3(beamRow0.w, beamRow1.w, beamRow2.w);
     // The rotation's rows are lamp from view; its transpose goes back.
     vec3 view = beamRow0.xyz * fromCamera.x + beamRow1.xyz * fromCamera.y + beamRow2.xyz * fromCamera.z;

@@ -11,16 +11,8 @@ namespace {
 /// How fast the waves that stir the smoke go round; no two in step.
 constexpr glm::dvec3 kStirHz(0.037, 0.029, 0.043);
 
-/// Pieces of the lit stretch with 4 nodes each. A smooth integrand needs one, a soft edge three; what is cut
-/// up by a gobo, by shadows or by swirls needs more.
-float leastPieces(LightFeatures features, int samples) {
-    if (samples > 0) return 0.25f * static_cast<float>(samples);
-    if ((features & kFeatureGobo) != 0) return 8.0f;
-    if ((features & kFeatureShadow) != 0) return 6.0f;
-    if ((features & kFeatureWeb) != 0) return 6.0f;
-    if ((features & kFeatureNoise) != 0) return 5.0f;
-    return (features & kFeatureFlat) != 0 ? 1.0f : 3.0f;
-}
+/// The thesis' number of samples.
+constexpr int kUniformSamples = 110;
 
 }  // namespace
 
@@ -33,14 +25,19 @@ const gl::Program& AirPass::variant(LightFeatures features) {
         .first->second;
 }
 
-void AirPass::setHaze(const gl::Program& program, const LightInputs& in, LightFeatures features) {
+void AirPass::setHaze(const gl::Program& program, const LightInputs& in) {
     // The thesis marched to its far plane; this is a stage's worth of it.
     constexpr float kUniformRangeM = 60.0f;
     const Haze& haze = in.scene.haze;
     program.set("scatteringPerM", haze.scatteringPerM);
     program.set("phaseLobes", glm::vec3(haze.phase.forwardG, haze.phase.backwardG, haze.phase.forwardWeight));
-    program.set("leastPieces", leastPieces(features, in.settings.samples));
-    program.set("uniformSamples", in.settings.samples > 0 ? in.settings.samples : 110);
+    program.set("profileRules", kProfileUnit);
+    gl::bindTexture(kProfileUnit, GL_TEXTURE_2D, rules_.texture());
+    program.set("shadowIntervals", 16);
+    program.set("profilePairs", 4);
+    program.set("goboTaps", 32);
+    program.set("noiseNodes", 8);
+    program.set("sampleCount", in.settings.samples > 0 ? in.settings.samples : kUniformSamples);
     program.set("uniformRangeM", kUniformRangeM);
 }
 
@@ -73,6 +70,19 @@ void AirPass::drawHulls(const LightInputs& in, const std::vector<BeamGroup>& gro
     for (std::size_t i = 0; i < groups.size(); ++i) batch_.drawHulls(i);
 }
 
+std::vector<GpuBeam> AirPass::withRules(const LightInputs& in, const std::vector<BeamGroup>& groups) {
+    std::vector<GpuBeam> beams = in.beams;
+    rules_.beginFrame();
+    for (const BeamGroup& group : groups) {
+        if (!takesProfileRules(group.features)) continue;
+        for (const int beam : group.beams) {
+            const auto index = static_cast<std::size_t>(beam);
+            beams[index].lens.y = static_cast<float>(rules_.row(in.plan.shapes[index]));
+        }
+    }
+    return beams;
+}
+
 void AirPass::draw(const LightInputs& in, const std::vector<BeamGroup>& groups) {
     drawWith(in, groups, 0, 0.0f);
 }
@@ -83,13 +93,13 @@ void AirPass::count(const LightInputs& in, const std::vector<BeamGroup>& groups,
 
 void AirPass::drawWith(const LightInputs& in, const std::vector<BeamGroup>& groups, LightFeatures further,
                        float countedAs) {
-    batch_.upload(groups, in.beams);
+    batch_.upload(groups, withRules(in, groups));
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const LightFeatures features = groups[i].features | further;
         const gl::Program& program = variant(features);
         program.use();
         setLightUniforms(program, in);
-        setHaze(program, in, features);
+        setHaze(program, in);
         if ((features & kFeatureNoise) != 0) setNoise(program, in);
         program.set("countedAs", countedAs);
         batch_.drawHulls(i);
@@ -99,6 +109,7 @@ void AirPass::drawWith(const LightInputs& in, const std::vector<BeamGroup>& grou
 void AirPass::list(Resources& resources) const {
     for (const auto& [features, program] : variants_) gl::listProgram(resources, program);
     gl::listTexture(resources, "noise", GL_TEXTURE_3D, noise_);
+    rules_.list(resources);
     batch_.list(resources, "beams in the air");
 }
 

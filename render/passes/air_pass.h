@@ -5,6 +5,7 @@
 #include <map>
 
 #include "render/passes/beam_batch.h"
+#include "render/profile_rule_store.h"
 
 namespace hazer::render {
 
@@ -28,12 +29,16 @@ class AirPass {
     void drawWith(const LightInputs& in, const std::vector<BeamGroup>& groups, LightFeatures further,
                   float countedAs);
     const gl::Program& variant(LightFeatures features);
-    void setHaze(const gl::Program& program, const LightInputs& in, LightFeatures features);
+    void setHaze(const gl::Program& program, const LightInputs& in);
     void setNoise(const gl::Program& program, const LightInputs& in);
+
+    /// The beams with the rows of their profiles' rules.
+    std::vector<GpuBeam> withRules(const LightInputs& in, const std::vector<BeamGroup>& groups);
 
     std::filesystem::path shaderFolder_;
     std::map<LightFeatures, gl::Program> variants_;
     BeamBatch batch_;
+    ProfileRuleStore rules_;
     gl::Texture noise_;
     std::uint32_t noiseSeed_ = 0;  ///< That noise_ was made from.
 };

@@ -50,7 +50,7 @@ std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const 
                                const std::vector<GoboTableSlot>& goboTables) {
     std::vector<BeamShadow> shadows(scene.beams.size());
     for (std::size_t i = 0; i < scene.beams.size(); ++i) {
-        if (const auto& reach = plan.surfaceReach[i]) shadows[i] = {-1, reach->nearM, reach->farM};
+        if (const auto& reach = plan.surfaceReach[i]) shadows[i].reach = *reach;
     }
     int faces = 0;
     for (const ShadowMapPlan& map : plan.shadowMaps) {

@@ -44,7 +44,8 @@ enum LightTextureUnit : int {
     kNoiseUnit,
     kNodeUnit,
     kWebUnit,
-    kGoboTableUnit
+    kGoboTableUnit,
+    kProfileUnit
 };
 
 /// Every beam of the scene as seen by the camera; `goboTables` has one slot a beam.

@@ -27,8 +27,11 @@ vec2 pixelCenter() { return (gl_FragCoord.xy - 0.5) * pixelStep + 0.5; }
 // Where the ray of this pixel ends [m].
 float pixelDistance() { return texelFetch(distanceBuffer, min(ivec2(pixelCenter()), textureSize(distanceBuffer, 0) - 1), 0).r; }
 
-vec3 viewDirection() { return normalize(vec3((2.0 * pixelCenter() / viewportPx - 1.0) * viewTangent, -1.0)); }
+// Of any length.
+vec3 viewRay() { return vec3((2.0 * pixelCenter() / viewportPx - 1.0) * viewTangent, -1.0); }
 
-LampRay pixelRay() { return lampRay(vec3(row0.w, row1.w, row2.w), toLamp(viewDirection()), AXIS); }
+vec3 viewDirection() { return normalize(viewRay()); }
+
+LampRay pixelRay() { return lampRay(vec3(row0.w, row1.w, row2.w), toLamp(viewRay()), AXIS); }
 
 BeamOptics beamOptics() { return BeamOptics(cone.x, cone.y, light.w, cone.z, cone.w); }

@@ -9,6 +9,12 @@ Real phaseHenyeyGreenstein(Real cosTheta, Real g) {
 
 // Two lobes: a strong forward one and a weak backward one, as glycol droplets have.
 Real phaseTwoLobes(Real cosTheta, Real forwardG, Real backwardG, Real forwardWeight) {
-    return forwardWeight * phaseHenyeyGreenstein(cosTheta, forwardG) +
-           (Real(1.0) - forwardWeight) * phaseHenyeyGreenstein(cosTheta, backwardG);
+    // Both lobes behind one division.
+    Real forward = Real(1.0) + forwardG * forwardG - Real(2.0) * forwardG * cosTheta;
+    Real backward = Real(1.0) + backwardG * backwardG - Real(2.0) * backwardG * cosTheta;
+    forward *= sqrt(forward);
+    backward *= sqrt(backward);
+    Real forwardPeak = forwardWeight * (Real(1.0) - forwardG * forwardG);
+    Real backwardPeak = (Real(1.0) - forwardWeight) * (Real(1.0) - backwardG * backwardG);
+    return (forwardPeak * backward + backwardPeak * forward) / (Real(4.0) * PI * forward * backward);
 }

@@ -1,0 +1,145 @@
+// Light through a gobo. Where a beam is crossed from side to side, one look at the gobo's table gives the integral; elsewhere, and where bodies
+// stand in the way, the gobo is looked at in even cells along the line that the ray draws on it, with a cubic for all that is smooth.
+// Needs beam_shade.glsl, gobo_table.glsl, gobo.glsl and the beam's input (beam_pixel.glsl).
+
+// What is smooth along a part of the line, as a cubic.
+struct GoboCubic {
+    float even0;
+    float even2;
+    float odd1;
+    float odd3;
+};
+
+// Through values at the nodes of four-node Gauss-Legendre quadrature, in y = -1..1.
+GoboCubic cubicThrough(vec4 values) {
+    const float INNER = 0.33998104358485626;
+    const float OUTER = 0.86113631159405258;
+    const float PER_SQUARES = 1.0 / (OUTER * OUTER - INNER * INNER);
+    float inner = 0.5 * (values.y + values.z);
+    float outer = 0.5 * (values.x + values.w);
+    float innerSlope = (values.z - values.y) * (0.5 / INNER);
+    float outerSlope = (values.w - values.x) * (0.5 / OUTER);
+    GoboCubic cubic;
+    cubic.even2 = (outer - inner) * PER_SQUARES;
+    cubic.even0 = inner - cubic.even2 * INNER * INNER;
+    cubic.odd3 = (outerSlope - innerSlope) * PER_SQUARES;
+    cubic.odd1 = innerSlope - cubic.odd3 * INNER * INNER;
+    return cubic;
+}
+
+float cubicAt(GoboCubic cubic, float y) {
+    float y2 = y * y;
+    return cubic.even0 + cubic.even2 * y2 + y * (cubic.odd1 + cubic.odd3 * y2);
+}
+
+// xi of a place on the ray, s [m].
+float goboXi(LampRay ray, GoboLine line, float s) {
+    return (s * line.middle.x - ray.h * line.middle.y) / ((ray.h * line.middle.x + s * line.middle.y) * line.endTangent);
+}
+
+// What a ray meets on the gobo at a place of its line: where (the unit disc is the field), and how blurred it is looked at.
+struct GoboTrace {
+    vec2 closest;
+    vec2 along;  // a unit of tangent further
+};
+
+vec2 onGobo(vec2 tangent) { return vec2(gobo.y * tangent.x + gobo.z * tangent.y, gobo.y * tangent.y - gobo.z * tangent.x); }
+
+GoboTrace goboTrace(LampRay ray, GoboLine line) {
+    float onAxis = inversesqrt(ray.axisAcross * ray.axisAcross + ray.axisAlong * ray.axisAlong);
+    vec2 closest = ray.across.xy * line.middle.x + ray.along.xy * line.middle.y;
+    vec2 along = ray.along.xy * line.middle.x - ray.across.xy * line.middle.y;
+    return GoboTrace(onGobo(closest * onAxis), onGobo(along * onAxis));
+}
+
+// Blur at a place of the line, as mip level of the gobo's picture. `tangent` is that of the angle from the line's middle.
+float goboLevel(LampRay ray, GoboLine line, float tangent) {
+    float perDepth = 1.0 / (line.middle.x - line.middle.y * tangent);
+    float axialM = ray.h * length(vec2(ray.axisAcross, ray.axisAlong)) * perDepth;
+    float toEyeM = ray.tClosest + ray.h * (line.middle.y + line.middle.x * tangent) * perDepth;
+    return log2(goboBlurTexels(axialM, pixelAngle() * toEyeM));
+}
+
+// A part of a pixel's line on its gobo, and what is smooth along it.
+struct GoboPart {
+    GoboLine line;
+    GoboTrace trace;
+    float xiFrom;
+    float xiTo;
+    GoboCubic smoothPart;  // in y = -1..1 from xiFrom to xiTo, over `spread`
+    float spread;
+    float beamOverField;
+    int cells;
+};
+
+vec3 goboCell(LampRay ray, BeamOptics optics, GoboPart part, float y) {
+    float tangent = mix(part.xiFrom, part.xiTo, 0.5 + 0.5 * y) * part.line.endTangent;
+    vec2 place = part.trace.closest + part.trace.along * tangent;
+    vec3 through = goboTexel(0.5 + 0.5 * vec2(place.x, -place.y), goboLevel(ray, part.line, tangent));
+#ifndef FLAT_PROFILE
+    through *= goboTableProfile(length(place), part.beamOverField, optics.exponent);
+#endif
+    return through * cubicAt(part.smoothPart, y / part.spread);
+}
+
+// The integral from one share of the part to another, 0..1: even cells, each in proportion to what of it lies between. At least one cell is
+// looked at.
+vec3 goboCells(LampRay ray, BeamOptics optics, GoboPart part, float shareFrom, float shareTo) {
+    float count = float(part.cells);
+    float cell = floor(shareFrom * count);
+    vec3 sum = vec3(0.0);
+    do {
+        float share = min(cell + 1.0, shareTo * count) - max(cell, shareFrom * count);
+        sum += max(share, 0.0) * goboCell(ray, optics, part, 2.0 * (cell + 0.5) / count - 1.0);
+        cell += 1.0;
+    } while (cell < shareTo * count);
+    return sum * (abs(part.xiTo - part.xiFrom) / count);
+}
+
+// The part of the line between two places of the ray, or all of it.
+GoboPart goboPart(LampRay ray, BeamOptics optics, HazeMedium haze, GoboLine line, bool whole, float sFrom, float sTo, int cells, out vec4 values) {
+    GoboPart part;
+    part.line = line;
+    part.trace = goboTrace(ray, line);
+    part.xiFrom = whole ? -1.0 : clamp(goboXi(ray, line, sFrom), -1.0, 1.0);
+    part.xiTo = whole ? 1.0 : clamp(goboXi(ray, line, sTo), -1.0, 1.0);
+    part.spread = whole ? goboNodeSpread(optics.exponent) : 1.0;
+    for (int i = 0; i < 4; ++i) {
+        float jacobian;
+        LampSample here = goboLineSample(ray, line, mix(part.xiFrom, part.xiTo, 0.5 + 0.5 * goboNode(i, part.spread)), optics.apexToLensM, jacobian);
+        values[i] = jacobian * hazeKernel(here, haze) * goboProfileRatio(optics, here, gobo.yz);
+    }
+    part.smoothPart = cubicThrough(values);
+    part.beamOverField = optics.beamHalfAngle / atan(1.0, length(gobo.yz));
+    // Cells are as long as those of a chord through the middle.
+    float length = 0.5 * abs(part.xiTo - part.xiFrom) * sqrt((1.0 - line.distance) * (1.0 + line.distance));
+    part.cells = clamp(int(ceil(float(cells) * length)), 4, cells);
+    return part;
+}
+
+// The integral over what is lit between two places of the ray [m]; `whole` if the ray crosses all of the beam. What `dark` names of the shade line
+// is taken off.
+vec3 integrateGobo(LampRay ray, BeamOptics optics, HazeMedium haze, bool whole, float sFrom, float sTo, int cells, ShadeLine shade,
+                   int intervals, int dark) {
+    GoboLine line;
+    bool meets = goboLine(ray, gobo.yz, optics.exponent, line);
+    vec4 values;
+    bool byTable = whole && lens.w >= 0.0;
+    GoboPart part = goboPart(ray, optics, haze, line, byTable, sFrom, sTo, cells, values);
+    vec3 sum = goboCells(ray, optics, part, 0.0, byTable ? 0.0 : 1.0);
+    int table = max(int(lens.w), 0);
+    vec3 tabled = throughGobo(goboCoefficients(values, part.spread), line, float(table / 2), table % 2 == 1, goboLevel(ray, line, 0.0));
+    sum = byTable ? tabled : sum;
+#ifdef SHADOW
+    do {
+        float darkFrom;
+        float darkTo;
+        bool some = nextDarkRun(shade, intervals, dark, darkFrom, darkTo);
+        float xiFrom = goboXi(ray, line, shadeLinePlace(shade, darkFrom));
+        float xiTo = goboXi(ray, line, shadeLinePlace(shade, darkTo));
+        vec2 shares = clamp((vec2(xiFrom, xiTo) - part.xiFrom) / (part.xiTo - part.xiFrom), 0.0, 1.0);
+        sum -= goboCells(ray, optics, part, shares.x, some ? shares.y : shares.x);
+    } while (dark != 0);
+#endif
+    return meets ? max(sum, vec3(0.0)) : vec3(0.0);
+}

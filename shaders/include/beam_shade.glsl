@@ -1,0 +1,103 @@
+// Where bodies stand in a beam's way: the parts of the ray that do not see the lamp, to be taken off what it would get without them. Compiled as
+// GLSL and as C++.
+//
+// A shadow map sees the ray as a straight line, and its depth (one over the axial distance) is linear along that line, too: after two
+// projections a look at any place costs one fetch and no division.
+//
+// Whoever includes this provides
+//     Real3 shadePlace(Real3 pointM);    what a point (lamp space) is to the shadow map: straight lines stay straight
+//     Real placeWeight(Real3 place);     how much shorter the map draws what is there, as 1 / axial distance; 1 if it does not
+//     bool placeSeesLamp(Real3 place);   does it see the lamp?
+// Needs beam_integral.glsl.
+
+// A part of the ray that something may shade, seen by the shadow map, x = 0..1.
+struct ShadeLine {
+    Real sFrom;
+    Real sTo;
+    Real3 from;
+    Real3 to;
+};
+
+ShadeLine makeShadeLine(LampRay ray, Real sFrom, Real sTo) {
+    Real3 closest = ray.across * ray.h;
+    return ShadeLine(sFrom, sTo, shadePlace(closest + ray.along * sFrom), shadePlace(closest + ray.along * sTo));
+}
+
+bool seesLampFrom(ShadeLine line, Real x) { return placeSeesLamp(line.from + (line.to - line.from) * x); }
+
+// x as s [m]: what is even on the map is not on the ray.
+Real shadeLinePlace(ShadeLine line, Real x) {
+    Real from = (Real(1.0) - x) * placeWeight(line.from);
+    Real to = x * placeWeight(line.to);
+    return (from * line.sFrom + to * line.sTo) / (from + to);
+}
+
+// Bit i: place i of an even division does not see the lamp. At most 29 intervals; with none, nothing is looked at.
+int darkPlaces(ShadeLine line, int intervals) {
+    Real apart = Real(1.0) / Real(max(intervals, 1));
+    int dark = 0;
+    int i = 0;
+    do {
+        dark |= seesLampFrom(line, Real(i) * apart) ? 0 : 1 << i;
+        ++i;
+    } while (i <= intervals);
+    return intervals > 0 ? dark : 0;
+}
+
+// The first run of dark places, taken out of `dark`: from where to where, in x, its ends found by bisection to 1/64 of an interval. False if there
+// is none.
+bool nextDarkRun(ShadeLine line, int intervals, INOUT(int) dark, OUT(Real) from, OUT(Real) to) {
+    Real apart = Real(1.0) / Real(max(intervals, 1));
+    int first = findLSB(dark);
+    bool some = first >= 0;
+    first = max(first, 0);
+    int last = first + max(findLSB(~(dark >> first)), 1) - 1;
+    dark &= -(2 << last);
+    Real litBefore = Real(max(first - 1, 0)) * apart;
+    Real litBehind = Real(min(last + 1, intervals)) * apart;
+    from = Real(first) * apart;
+    to = Real(last) * apart;
+    int steps = some ? 5 : 1;
+    int step = 0;
+    do {
+        Real before = Real(0.5) * (litBefore + from);
+        Real behind = Real(0.5) * (litBehind + to);
+        bool seesBefore = seesLampFrom(line, before);
+        bool seesBehind = seesLampFrom(line, behind);
+        litBefore = seesBefore ? before : litBefore;
+        from = seesBefore ? from : before;
+        litBehind = seesBehind ? behind : litBehind;
+        to = seesBehind ? to : behind;
+        ++step;
+    } while (step < steps);
+    from = Real(0.5) * (litBefore + from);
+    to = Real(0.5) * (litBehind + to);
+    return some;
+}
+
+// How many intervals a part of the ray is divided into if all that is lit gets `intervals`.
+int shadeIntervals(LitPart lit, Real sFrom, Real sTo, Real litFrom, Real litTo, int intervals) {
+    return clamp(int(ceil(Real(intervals) * (sTo - sFrom) / (litTo - litFrom))), 4, intervals);
+}
+
+// The integral over what is lit but for the bodies in the way, within sFrom..sTo [m].
+Real integrateDark(LampRay ray, BeamOptics optics, HazeMedium haze, Arc arc, Real sFrom, Real sTo, int intervals) {
+    ShadeLine line = makeShadeLine(ray, sFrom, sTo);
+    int dark = darkPlaces(line, intervals);
+    Real sum = Real(0.0);
+    do {
+        Real from;
+        Real to;
+        bool some = nextDarkRun(line, intervals, dark, from, to);
+        Real shareFrom = arcShare(arc, tangentAt(ray, shadeLinePlace(line, from)));
+        Real shareTo = arcShare(arc, tangentAt(ray, shadeLinePlace(line, to)));
+        Real run = Real(0.0);
+        for (int i = 0; i < 4; ++i) {
+            Real jacobian;
+            LampSample here = arcSample(ray, arc, shareFrom + gaussNode4(i) * (shareTo - shareFrom), optics.apexToLensM, jacobian);
+            run += gaussWeight4(i) * jacobian * beamKernel(here, optics, haze);
+        }
+        sum += some ? run * (shareTo - shareFrom) : Real(0.0);
+    } while (dark != 0);
+    return sum;
+}
