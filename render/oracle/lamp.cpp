@@ -41,7 +41,8 @@ double webTowards(const IesWeb& web, const glm::dvec3& direction) {
     const auto at = [&](int down, int right) {
         const int x = (static_cast<int>(column) + right) % kWebAzimuths;
         const int y = static_cast<int>(row) + down;
-        return static_cast<double>(web.relative[static_cast<std::size_t>(y * kWebAzimuths + x)]);
+        return static_cast<double>(
+            web.relative[static_cast<std::size_t>(y) * kWebAzimuths + static_cast<std::size_t>(x)]);
     };
     const double right = column - std::floor(column);
     return std::lerp(std::lerp(at(0, 0), at(0, 1), right), std::lerp(at(1, 0), at(1, 1), right),
