@@ -113,6 +113,8 @@ struct Settings {
     /// Nodes over the lit stretch, in fours (kAngle), or samples along the ray (kUniform); 0: as many as the
     /// beam needs, or the thesis' 110.
     int samples = 0;
+    /// Largest root mean square error of the light in the air, as a share of it, 0.0001..0.5; 0: a good one.
+    double maxError = 0.0;
     /// Pixels between the nodes where light in the air is integrated first; in between it is interpolated
     /// where that is good enough. 1: every pixel is integrated. 0: as the quality asks.
     int airStep = 0;

@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "render/air_quality.h"
+
 #include "render/camera.h"
 #include "render/profile_rule.h"
 #include "render/shadow_atlas.h"
@@ -150,8 +152,7 @@ bool usesProfileRules(const ScenePlan& plan) {
 }
 
 int airStep(const Settings& settings) {
-    if (settings.integrator == Integrator::kUniform || settings.samples > 0) return 1;
-    return settings.airStep > 0 ? settings.airStep : 1;
+    return airQuality(settings).gridStep;
 }
 
 ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& settings,

@@ -98,8 +98,9 @@ vec4 goboTableTexel(vec2 place, float layer) {
 #include "include/beam_gobo.glsl"
 #endif
 
-// Pieces of four nodes for a profile of any shape.
-const int WEB_PIECES = 6;
+#ifdef WEB
+#include "include/beam_web.glsl"
+#endif
 
 #ifndef UNIFORM
 // What the lit part of the ray sends to the eye, for integrals see beam_integral.glsl.
@@ -135,7 +136,7 @@ vec3 litLight(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) {
 #if defined(FLAT_PROFILE)
     float smoothSum = integrateSmooth(ray, optics, haze, lit, 1);
 #elif defined(WEB)
-    float smoothSum = integrateSmooth(ray, optics, haze, lit, WEB_PIECES);
+    float smoothSum = integrateWeb(ray, optics, haze, lit);
 #else
     float smoothSum = integrateSoft(ray, optics, haze, lit, arc, profilePairs);
 #endif
@@ -144,7 +145,7 @@ vec3 litLight(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) {
 #endif
     vec3 sum = vec3(smoothSum);
 #endif
-#ifdef NOISE
+#if defined(NOISE) && !defined(GOBO)
     sum *= densityOf(ray, optics, haze, arc, noiseNodes, 0.5);
 #endif
     return sum;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/commands/command.h"
+#include "app/commands/max_error_option.h"
 #include "app/display.h"
 #include "app/paths.h"
 
@@ -15,12 +16,14 @@ struct LiveOptions {
     std::string show;
     std::optional<std::uint16_t> port;
     std::optional<int> frames;
+    double maxError = 0.0;
 };
 
 int runLive(const LiveOptions& options) {
     const std::filesystem::path file =
         options.show.empty() ? showFolder() / "one-spot.toml" : std::filesystem::path(options.show);
-    return showInWindow(loadShow(file), {.listen = true, .port = options.port}, {}, options.frames);
+    const auto setQuality = [&](Session& session) { session.settings().maxError = options.maxError; };
+    return showInWindow(loadShow(file), {.listen = true, .port = options.port}, setQuality, options.frames);
 }
 
 }  // namespace
@@ -36,6 +39,7 @@ void addLiveCommand(CLI::App& program, Command& chosen) {
     command->add_option("SHOW", options->show, "The show file (.toml); a single moving spot unless given");
     command->add_option("--port", options->port, "UDP port instead of those of the show's inputs")
         ->check(CLI::Range(1, 65535));
+    addMaxErrorOption(*command, options->maxError);
     command->add_option("--frames", options->frames, "Close after this many pictures, for tests")
         ->check(CLI::PositiveNumber)
         ->group("");  // not shown in --help

@@ -12,6 +12,7 @@
 
 #include "app/assignment.h"
 #include "app/commands/command.h"
+#include "app/commands/max_error_option.h"
 #include "app/commands/size_option.h"
 #include "app/film.h"
 #include "app/interrupt.h"
@@ -36,6 +37,7 @@ struct RenderOptions {
     std::string integrator = "angle";
     int samples = 0;
     std::string view = "light";
+    double maxError = 0.0;
     bool hasNoBloom = false;
     double timeS = 0.0;
     double seconds = 0.0;  // 0: a still
@@ -59,6 +61,7 @@ void applySettings(const RenderOptions& options, Session& session) {
     settings.integrator =
         options.integrator == "uniform" ? render::Integrator::kUniform : render::Integrator::kAngle;
     settings.samples = options.samples;
+    settings.maxError = options.maxError;
     settings.bloom = !options.hasNoBloom;
     if (!options.camera.empty()) session.camera() = session.show().camera(options.camera).camera;
     for (const std::string& assignment : options.assignments) assign(assignment, session.patch());
@@ -217,6 +220,7 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--samples", options.samples, "Samples of the integrator, 1..16384; its own unless given")
         ->check(CLI::Range(1, 16384));
+    addMaxErrorOption(command, options.maxError);
     command
         .add_option(
             "--view", options.view,

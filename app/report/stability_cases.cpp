@@ -180,7 +180,7 @@ void addBodies(std::vector<StabilityCase>& cases) {
         [](StabilityCase& one) {
             addBody(one.scene, 0, {0.0, 0.0, 6.0}, {4.0, 4.0, 1.0});
         },
-        Expectation::kDark));
+        Expectation::kShaded));
     cases.push_back(with(
         "zero-length cone: a plate at the lens",
         [](StabilityCase& one) {

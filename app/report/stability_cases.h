@@ -14,6 +14,7 @@ enum class Expectation {
     kAnything,  ///< Numbers, none below 0.
     kLight,     ///< Some light.
     kDark,      ///< None at all.
+    kShaded,    ///< Nowhere more than a twentieth of the brightest light without bodies.
     kOracle,    ///< Pixels as the oracle says.
 };
 

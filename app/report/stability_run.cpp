@@ -57,6 +57,15 @@ std::vector<glm::ivec2> comparablePixels(const StabilityCase& one, int size) {
     return pixels;
 }
 
+float brightestOf(const FloatImage& picture) {
+    return *std::max_element(picture.rgb.begin(), picture.rgb.end());
+}
+
+float brightestWithoutBodies(StabilityCase one, render::Renderer& renderer, int size) {
+    one.scene.instances.clear();
+    return brightestOf(drawPlainly(renderer, one.scene, one.camera, size));
+}
+
 /// One error for each pixel that the oracle has an answer for.
 std::vector<double> relativeErrors(const FloatImage& picture, const std::vector<glm::ivec2>& pixels,
                                    const std::vector<double>& expected) {
@@ -169,9 +178,12 @@ StabilityRow runCase(const StabilityCase& one, render::Renderer& renderer, int s
     const FloatImage picture = drawPlainly(renderer, one.scene, one.camera, size);
     StabilityRow row = countFaults(one.name, picture);
     if (!row.passed()) return row;
-    const float brightest = *std::max_element(picture.rgb.begin(), picture.rgb.end());
+    const float brightest = brightestOf(picture);
     if (one.expectation == Expectation::kDark && brightest > 0.0f) {
         row.verdict = fmt::format("{:.2e} cd/m2 where it must be dark", brightest);
+    } else if (one.expectation == Expectation::kShaded &&
+               brightest > 0.05f * brightestWithoutBodies(one, renderer, size)) {
+        row.verdict = fmt::format("{:.2e} cd/m2 through a body", brightest);
     } else if (one.expectation == Expectation::kLight && brightest <= 0.0f) {
         row.verdict = "dark where there must be light";
     } else if (one.expectation == Expectation::kOracle) {

@@ -2,17 +2,13 @@
 
 #include <array>
 
+#include "render/air_quality.h"
 #include "render/beam_width.h"
 #include "render/gl/inventory.h"
 #include "render/gl/texture.h"
 
 namespace hazer::render {
-namespace {
-
-/// Allowed error of a pixel between nodes, relative to the light around it.
-constexpr float kTolerance = 0.01f;
-
-}  // namespace
+namespace {}  // namespace
 
 AirGrid::AirGrid(const std::filesystem::path& shaderFolder)
     : judge_(shaderFolder, "fullscreen.vert", "air_nodes.frag"),
@@ -71,7 +67,7 @@ void AirGrid::judge(const LightInputs& in, int step) {
     judge.set("nodes", 0);
     judge.set("distanceBuffer", 1);
     judge.set("nodeStep", step);
-    judge.set("tolerance", kTolerance);
+    judge.set("tolerance", static_cast<float>(airQuality(in.settings).gridTolerance));
     glBindVertexArray(noVertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -1,5 +1,6 @@
 #include "render/passes/air_pass.h"
 
+#include "render/air_quality.h"
 #include "render/camera.h"
 #include "render/gl/inventory.h"
 #include "render/gl/texture.h"
@@ -33,10 +34,11 @@ void AirPass::setHaze(const gl::Program& program, const LightInputs& in) {
     program.set("phaseLobes", glm::vec3(haze.phase.forwardG, haze.phase.backwardG, haze.phase.forwardWeight));
     program.set("profileRules", kProfileUnit);
     gl::bindTexture(kProfileUnit, GL_TEXTURE_2D, rules_.texture());
-    program.set("shadowIntervals", 16);
-    program.set("profilePairs", 4);
-    program.set("goboTaps", 32);
-    program.set("noiseNodes", 8);
+    const AirQuality quality = airQuality(in.settings);
+    program.set("shadowIntervals", quality.shadowIntervals);
+    program.set("profilePairs", quality.profilePairs);
+    program.set("goboTaps", quality.goboTaps);
+    program.set("noiseNodes", quality.noiseNodes);
     program.set("sampleCount", in.settings.samples > 0 ? in.settings.samples : kUniformSamples);
     program.set("uniformRangeM", kUniformRangeM);
 }

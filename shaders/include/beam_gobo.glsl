@@ -96,6 +96,25 @@ vec3 goboCells(LampRay ray, BeamOptics optics, GoboPart part, float shareFrom, f
     return sum * (abs(part.xiTo - part.xiFrom) / count);
 }
 
+#ifdef NOISE
+float legendreSum(vec4 c, float y) { return c.x + y * c.y + (1.5 * y * y - 0.5) * c.z + y * (2.5 * y * y - 1.5) * c.w; }
+
+// The haze's density along a part of the line, y = -1..1, by Legendre's polynomials: what varies more slowly than the gobo's own edges. A gobo
+// that lights but a part of the line meets the density of that part.
+vec4 densityAlong(LampRay ray, GoboLine line, float xiFrom, float xiTo) {
+    vec4 sum = vec4(0.0);
+    int node = 0;
+    do {
+        float y = 2.0 * (float(node) + 0.5) / float(noiseNodes) - 1.0;
+        float tangent = mix(xiFrom, xiTo, 0.5 + 0.5 * y) * line.endTangent;
+        float t = ray.tClosest + ray.h * (line.middle.y + line.middle.x * tangent) / (line.middle.x - line.middle.y * tangent);
+        sum += densityAt(t) * vec4(1.0, 3.0 * y, 5.0 * (1.5 * y * y - 0.5), 7.0 * y * (2.5 * y * y - 1.5));
+        ++node;
+    } while (node < noiseNodes);
+    return sum / float(noiseNodes);
+}
+#endif
+
 // The part of the line between two places of the ray, or all of it.
 GoboPart goboPart(LampRay ray, BeamOptics optics, HazeMedium haze, GoboLine line, bool whole, float sFrom, float sTo, int cells, out vec4 values) {
     GoboPart part;
@@ -109,6 +128,10 @@ GoboPart goboPart(LampRay ray, BeamOptics optics, HazeMedium haze, GoboLine line
         LampSample here = goboLineSample(ray, line, mix(part.xiFrom, part.xiTo, 0.5 + 0.5 * goboNode(i, part.spread)), optics.apexToLensM, jacobian);
         values[i] = jacobian * hazeKernel(here, haze) * goboProfileRatio(optics, here, gobo.yz);
     }
+#ifdef NOISE
+    vec4 swirls = densityAlong(ray, line, part.xiFrom, part.xiTo);
+    for (int i = 0; i < 4; ++i) values[i] *= legendreSum(swirls, goboNode(i, part.spread));
+#endif
     part.smoothPart = cubicThrough(values);
     part.beamOverField = optics.beamHalfAngle / atan(1.0, length(gobo.yz));
     // Cells are as long as those of a chord through the middle.
@@ -119,16 +142,22 @@ GoboPart goboPart(LampRay ray, BeamOptics optics, HazeMedium haze, GoboLine line
 
 // The integral over what is lit between two places of the ray [m]; `whole` if the ray crosses all of the beam. What `dark` names of the shade line
 // is taken off.
+// How far the blur, as mip level, may differ along a line that the table serves.
+const float MOST_LEVELS_APART = 0.6;
+
 vec3 integrateGobo(LampRay ray, BeamOptics optics, HazeMedium haze, bool whole, float sFrom, float sTo, int cells, ShadeLine shade,
                    int intervals, int dark) {
     GoboLine line;
     bool meets = goboLine(ray, gobo.yz, optics.exponent, line);
     vec4 values;
-    bool byTable = whole && lens.w >= 0.0;
+    // The table knows one blur for the whole line: enough unless the focus runs through it.
+    float levelFrom = max(goboLevel(ray, line, -0.7 * line.endTangent), 0.0);
+    float levelTo = max(goboLevel(ray, line, 0.7 * line.endTangent), 0.0);
+    bool byTable = whole && lens.w >= 0.0 && abs(levelFrom - levelTo) < MOST_LEVELS_APART;
     GoboPart part = goboPart(ray, optics, haze, line, byTable, sFrom, sTo, cells, values);
     vec3 sum = goboCells(ray, optics, part, 0.0, byTable ? 0.0 : 1.0);
     int table = max(int(lens.w), 0);
-    vec3 tabled = throughGobo(goboCoefficients(values, part.spread), line, float(table / 2), table % 2 == 1, goboLevel(ray, line, 0.0));
+    vec3 tabled = throughGobo(goboCoefficients(values, part.spread), line, float(table / 2), table % 2 == 1, 0.5 * (levelFrom + levelTo));
     sum = byTable ? tabled : sum;
 #ifdef SHADOW
     do {

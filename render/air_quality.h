@@ -1,0 +1,29 @@
+// How finely light in the air is integrated, for an error that is asked for.
+#pragma once
+
+#include "render/scene.h"
+
+namespace hazer::render {
+
+struct AirQuality {
+    int gridStep = 1;  ///< Pixels between the nodes that are integrated first; 1: every pixel.
+    double gridTolerance =
+        0.0;                   ///< Estimated error that a pixel between nodes may have, a share of the light.
+    int shadowIntervals = 16;  ///< Of the part of a ray that may be shaded; 4..29.
+    int profilePairs = 4;  ///< Pairs of nodes on either side of a soft beam's axis, where a ray is cut; 2..4.
+    int goboTaps = 32;     ///< Along the line on a gobo, where its table does not serve.
+    int noiseNodes = 8;    ///< Looks at uneven haze along the lit part of a ray.
+};
+
+/// The error that is kept to when none is asked for.
+inline constexpr double kDefaultMaxError = 0.01;
+
+/// The cheapest quality whose root mean square error, as a share of that of the light in the air, stays below
+/// `maxError` (0.0001..0.5), by the error laws in docs/rendering.md.
+AirQuality airQualityFor(double maxError);
+
+/// The quality that the settings ask for, with their own grid step if they name one. Given samples and the
+/// thesis' integrator are drawn at every pixel.
+AirQuality airQuality(const Settings& settings);
+
+}  // namespace hazer::render
