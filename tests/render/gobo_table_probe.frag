@@ -6,13 +6,21 @@
 #include "include/beam_ray.glsl"
 #include "include/gauss_legendre.glsl"
 #include "include/beam_medium.glsl"
-#include "include/gobo_table_picture.glsl"
 
+vec4 goboTableTexel(vec2 place, float layer);
+
+#include "include/gobo_table.glsl"
+
+uniform sampler2DArray goboTables;
 uniform vec2 viewportPx;
 uniform float layer;
 uniform float blurLevel;
 
 out vec4 moments;
+
+vec4 goboTableTexel(vec2 place, float at) {
+    return textureLod(goboTables, vec3(place / vec2(GOBO_TABLE_WIDTH, GOBO_TABLE_HEIGHT), at), 0.0);
+}
 
 void main() {
     vec2 place = gl_FragCoord.xy / viewportPx;
