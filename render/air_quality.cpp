@@ -34,6 +34,7 @@ AirQuality airQualityFor(double maxError) {
 
 AirQuality airQuality(const Settings& settings) {
     AirQuality quality = airQualityFor(settings.maxError > 0.0 ? settings.maxError : kDefaultMaxError);
+    if (settings.maxError <= 0.0) quality.gridStep = 1;
     if (settings.airStep > 0) quality.gridStep = settings.airStep;
     if (settings.integrator == Integrator::kUniform || settings.samples > 0) quality.gridStep = 1;
     return quality;

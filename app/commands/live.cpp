@@ -16,7 +16,7 @@ struct LiveOptions {
     std::string show;
     std::optional<std::uint16_t> port;
     std::optional<int> frames;
-    double maxError = 0.0;
+    double maxError = 0.01;
 };
 
 int runLive(const LiveOptions& options) {

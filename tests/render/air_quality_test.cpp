@@ -30,6 +30,8 @@ TEST(AirQuality, WhatTheShadersCanDoIsNotExceeded) {
 
 TEST(AirQuality, ComparisonsAreDrawnAtEveryPixel) {
     render::Settings settings;
+    EXPECT_EQ(render::airQuality(settings).gridStep, 1);
+    settings.maxError = 0.01;
     EXPECT_GT(render::airQuality(settings).gridStep, 1);
     settings.samples = 16;
     EXPECT_EQ(render::airQuality(settings).gridStep, 1);
