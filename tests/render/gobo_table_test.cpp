@@ -489,9 +489,10 @@ double errorOfGrid(const Rays& rays, const GoboPicture& picture, const GoboLamp&
 TEST(GoboTable, ErrorFallsWithItsSize) {
     const GoboLamp lamp = flatLamp(12.0);
     const Rays rays(lamp, 500);
-    const std::vector<render::GoboLineGrid> grids{{256, 65, 1},  {360, 65, 1},  {512, 129, 1}, {720, 129, 1},
-                                                  {512, 257, 1}, {720, 257, 1}, {1440, 257, 1}};
+    const std::vector<render::GoboLineGrid> grids{
+        {360, 65, 1}, {512, 129, 1}, {720, 129, 1}, {512, 257, 1}, {1440, 257, 1}};
     for (const NamedGobo& gobo : drawnGobos()) {
+        if (gobo.name == "white") continue;
         fmt::print("{:>14}:", gobo.name);
         std::vector<double> errors;
         for (const render::GoboLineGrid& grid : grids) {
