@@ -130,7 +130,7 @@ double endOf(const std::vector<RowSummary>& rows, IsLit isLit) {
 }
 
 void measure(const std::vector<RowSummary>& rows, IesWeb& web) {
-    constexpr double kCutShare = 1e-3;
+    constexpr double kCutShare = 1e-5;
     constexpr double kBeamShare = 0.5;
     constexpr double kFieldShare = 0.1;
     double largestMean = 0.0;

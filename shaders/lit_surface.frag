@@ -45,7 +45,7 @@ LitPoint scaled(LitPoint here, float scale) {
 // Is it in the beam, before the lens, and turned to the lamp?
 bool isLit(LitPoint here) {
     float axialM = -here.positionM.z;
-    return here.eyeM < SKY_DISTANCE_M && axialM >= cone.x * here.distanceM && axialM >= light.w && here.cosIn > 0.0;
+    return here.eyeM < SKY_DISTANCE_M && axialM >= cone.x * here.distanceM && (light.w <= 0.0 || axialM >= light.w) && here.cosIn > 0.0;
 }
 
 // Illuminance [lx] for a lamp of 1 cd.
@@ -56,7 +56,7 @@ vec3 illuminance(LitPoint here) {
     sampled.direction = here.positionM / here.distanceM;
     sampled.cosAxis = -sampled.direction.z;
     sampled.sinAxis = length(sampled.direction.xy);
-    float lensToSurfaceM = here.distanceM - light.w / sampled.cosAxis;
+    float lensToSurfaceM = here.distanceM - (light.w > 0.0 ? light.w / sampled.cosAxis : 0.0);
     vec3 lux = vec3(beamProfile(beamOptics(), sampled) * exp(-extinctionPerM * lensToSurfaceM) * here.cosIn /
                     (here.distanceM * here.distanceM));
 #ifdef GOBO

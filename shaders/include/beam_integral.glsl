@@ -31,11 +31,19 @@ struct LitPart {
 LitPart litPart(LampRay ray, BeamOptics optics, HazeMedium haze, Real tEnd) {
     Real sFrom = -ray.tClosest;
     Real sTo = tEnd - ray.tClosest;
-    clipToLens(ray, optics.apexToLensM, sFrom, sTo);
-    Real coneFrom;
-    Real coneTo;
+    Real coneFrom = Real(0.0);
+    Real coneTo = FARTHEST_TANGENT;
     LitPart lit;
+    lit.some = true;
+#ifdef WEB
+    // A lamp that shines backwards, too, has neither a cone nor a lens plane.
+    if (optics.cosCut > Real(0.0)) {
+#endif
+    clipToLens(ray, optics.apexToLensM, sFrom, sTo);
     lit.some = coneTangents(ray, optics.cosCut, optics.sinCut, coneFrom, coneTo);
+#ifdef WEB
+    }
+#endif
     lit.from = max(coneFrom, tangentAt(ray, sFrom));
     lit.to = min(coneTo, tangentAt(ray, sTo));
     // Thick haze leaves only the near end: the way t + r = tClosest + h T grows until the light has fallen to 1e-5 of what it was.

@@ -215,7 +215,7 @@ TEST(OracleScene, aShinyFloorReflectsItsShare) {
     scene.instances.push_back(floor);
     const Camera camera{{0.0, 0.0, 3.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.5};
     const SceneOracle oracle(scene, camera, kSize, kSize, oneBox());
-    EXPECT_NEAR(oracle.surface(50.0, 50.0).y, 1000.0 / 36.0 * 0.1 * 58.0 / (8.0 * kPi), 1e-3);
+    EXPECT_NEAR(oracle.surface(50.0, 50.0).y, 1000.0 / 36.0 * 0.1 * 52.0 / (8.0 * kPi), 1e-3);
 }
 
 TEST(OracleScene, knowsOutlines) {

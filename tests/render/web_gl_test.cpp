@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <random>
 #include <string>
 
 #include "render/camera.h"
@@ -50,6 +51,48 @@ IesWeb sidewaysWash() {
         return 3000.0 * std::exp(-away * away) * (1.2 + std::cos(h * kRadPerDeg)) *
                std::min((80.0 - v) / 15.0, 1.0);
     };
+    return webOf(file);
+}
+
+/// As a profile spot is measured: an edge of half a degree, scattered light beyond.
+IesWeb hardEdge() {
+    IesText file;
+    file.verticalDeg = anglesFrom(0.0, 30.0, 121);
+    file.candela = [](double, double v) {
+        const double edge = std::clamp((15.5 - v) / 0.5, 0.0, 1.0);
+        return 1e5 * (1.0 - 0.02 * v) * edge + 200.0 * std::exp(-v / 10.0);
+    };
+    return webOf(file);
+}
+
+/// A bright middle in a wide skirt.
+IesWeb skirt() {
+    IesText file;
+    file.verticalDeg = anglesFrom(0.0, 90.0, 181);
+    file.candela = [](double, double v) {
+        return 1e5 * (std::exp2(-std::pow(v / 2.5, 2.0)) + 0.12 * std::exp2(-std::pow(v / 20.0, 2.0)));
+    };
+    return webOf(file);
+}
+
+/// Coarse steps and the noise of a meter.
+IesWeb noisyWash() {
+    IesText file;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> noise(0.9, 1.1);
+    file.verticalDeg = anglesFrom(0.0, 90.0, 37);
+    file.horizontalDeg = anglesFrom(0.0, 350.0, 36);
+    file.candela = [&](double, double v) {
+        return 2000.0 * std::pow(std::cos(v * kRadPerDeg), 3.0) * (v > 0.0 ? noise(random) : 1.0);
+    };
+    return webOf(file);
+}
+
+/// A bulb: every way, less upwards.
+IesWeb bulb() {
+    IesText file;
+    file.verticalDeg = anglesFrom(0.0, 180.0, 37);
+    file.candela = [](double, double v) { return 100.0 + 60.0 * std::cos(v * kRadPerDeg); };
     return webOf(file);
 }
 
@@ -176,6 +219,20 @@ TEST_F(WebGl, OnAFloorTheyAreCandelaOverSquaredDistance) {
     }
 }
 
+TEST_F(WebGl, ABulbLightsWhatIsBehindIt) {
+    render::Scene scene = lampWith(bulb());
+    scene.haze.scatteringPerM = scene.haze.extinctionPerM = 0.0f;
+    const glm::dmat4 ceiling = glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 0.0, 8.0)) *
+                               glm::rotate(glm::dmat4(1.0), kPi, glm::dvec3(1.0, 0.0, 0.0));
+    scene.instances.push_back({renderer().addMesh(render::makePlane()),
+                               glm::scale(ceiling, glm::dvec3(20.0)),
+                               {render::Color(0.5f), 0.0f, 32.0f},
+                               false});
+    const render::Camera camera{{0.0, 0.0, 1.0}, {0.0, 0.0, 8.0}, {0.0, 1.0, 0.0}, 0.2};
+    // Straight up: 40 cd from 2 m.
+    EXPECT_NEAR(draw(scene, camera, 9, 9).at(4, 4)[1], 40.0 / 4.0 * 0.5 / kPi, 0.01);
+}
+
 TEST_F(WebGl, ALensShowsTheIntensityTowardsTheEye) {
     const IesWeb web = sidewaysWash();
     render::Scene scene = lampWith(web);
@@ -216,8 +273,13 @@ TEST_F(WebGl, InTheAirTheyAreTheIntegralOfTheWeb) {
     const render::Camera beside{{0.0, -7.0, 2.5}, {0.0, 0.0, 3.5}, {0.0, 0.0, 1.0}, 0.9};
     const render::Camera oblique{{5.0, -6.0, 1.0}, {0.0, 0.0, 4.0}, {0.0, 0.0, 1.0}, 0.9};
     const render::Camera below{{0.5, 0.3, 0.5}, {0.0, 0.0, 6.0}, {0.0, 1.0, 0.0}, 0.9};
-    for (const auto& [name, web] :
-         {std::pair<std::string, IesWeb>{"sideways wash", sidewaysWash()}, {"pencil", pencil()}}) {
+    for (const auto& [name, web] : {std::pair<std::string, IesWeb>{"oblong spot", oblongSpot()},
+                                    {"sideways wash", sidewaysWash()},
+                                    {"hard edge", hardEdge()},
+                                    {"skirt", skirt()},
+                                    {"noisy wash", noisyWash()},
+                                    {"bulb", bulb()},
+                                    {"pencil", pencil()}}) {
         const render::Scene scene = lampWith(web);
         for (const render::Camera& camera : {beside, oblique, below}) {
             constexpr int kSize = 24;
