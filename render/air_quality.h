@@ -22,8 +22,8 @@ inline constexpr double kDefaultMaxError = 0.01;
 /// `maxError` (0.0001..0.5), by the error laws in docs/rendering.md.
 AirQuality airQualityFor(double maxError);
 
-/// The quality that the settings ask for, with their own grid step if they name one. Where no error is allowed
-/// for, with given samples, and by the thesis' integrator every pixel is integrated.
+/// The quality that the settings ask for, with their own grid step if they name one. Where no error is
+/// allowed for, with given samples, and by the thesis' integrator every pixel is integrated.
 AirQuality airQuality(const Settings& settings);
 
 }  // namespace hazer::render

@@ -130,6 +130,7 @@ double endOf(const std::vector<RowSummary>& rows, IsLit isLit) {
 }
 
 void measure(const std::vector<RowSummary>& rows, IesWeb& web) {
+    // A tenth of a percent, spread over a hemisphere, is most of the light close around a spot.
     constexpr double kCutShare = 1e-5;
     constexpr double kBeamShare = 0.5;
     constexpr double kFieldShare = 0.1;

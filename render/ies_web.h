@@ -24,7 +24,7 @@ struct IesWeb {
     std::vector<float> relative;
     double peakCd = 0.0;  ///< Largest intensity of the file.
     double fluxLm = 0.0;  ///< Integral over the sphere, of any file: lumens that a file claims are not used.
-    /// Beyond it everything is below 0.1 % of the peak; up to pi.
+    /// Beyond it everything is below 0.001 % of the peak; up to pi.
     double cutHalfAngleRad = 0.0;
     /// Beyond them the mean around the axis is below 50 % and 10 % of its largest value.
     double beamHalfAngleRad = 0.0;

@@ -25,7 +25,7 @@ LitPart partOf(LitPart lit, Real from, Real to) {
     return lit;
 }
 
-// Integral over the lit part [rad/sr]: five parts, the one in the middle in two pieces.
+// Integral over the lit part [rad/sr]: five parts, those inside the outer cone in two pieces of four nodes each.
 Real integrateWeb(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) {
     Real outerFrom = lit.from;
     Real outerTo = lit.to;
@@ -38,7 +38,7 @@ Real integrateWeb(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) 
     do {
         Real from = part == 0 ? lit.from : part == 1 ? outerFrom : part == 2 ? innerFrom : part == 3 ? innerTo : outerTo;
         Real to = part == 0 ? outerFrom : part == 1 ? innerFrom : part == 2 ? innerTo : part == 3 ? outerTo : lit.to;
-        if (from < to) sum += integrateSmooth(ray, optics, haze, partOf(lit, from, to), part == 2 ? 2 : 1);
+        if (from < to) sum += integrateSmooth(ray, optics, haze, partOf(lit, from, to), part == 0 || part == 4 ? 1 : 2);
         ++part;
     } while (part < 5);
     return sum;

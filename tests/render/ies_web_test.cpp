@@ -204,7 +204,7 @@ TEST(IesWeb, KeepsABeamOfThreeDegrees) {
     }
     EXPECT_NEAR(web.beamHalfAngleRad / kRadPerDeg, 1.5, 0.07);
     EXPECT_NEAR(web.fieldHalfAngleRad / kRadPerDeg, 1.5 * std::pow(std::log2(10.0), 0.25), 0.1);
-    EXPECT_NEAR(web.cutHalfAngleRad / kRadPerDeg, 1.5 * std::pow(std::log2(1000.0), 0.25), 0.12);
+    EXPECT_NEAR(web.cutHalfAngleRad / kRadPerDeg, 1.5 * std::pow(std::log2(1e5), 0.25), 0.12);
 }
 
 TEST(IesWeb, KeepsABeamOfThreeDegreesBesideTheAxis) {
@@ -222,12 +222,12 @@ TEST(IesWeb, KeepsABeamOfThreeDegreesBesideTheAxis) {
     }
 }
 
-TEST(IesWeb, TheCutIsWhereATenthOfAPercentIsLeft) {
+TEST(IesWeb, TheCutIsWhereNextToNothingIsLeft) {
     IesText file;
     file.verticalDeg = {0.0, 10.0, 20.0, 30.0, 90.0};
-    // 0.5 % of stray light up to 30 degrees counts, 0.05 % beyond does not.
-    file.candela = [](double, double v) { return v < 15.0 ? 1000.0 : v < 25.0 ? 5.0 : 0.5; };
-    EXPECT_NEAR(webOf(file).cutHalfAngleRad / kRadPerDeg, 20.0 + 10.0 * 4.0 / 4.5, 0.6);
+    // Stray light of 1e-4 of the peak at 20 degrees counts, of 5e-6 from 30 on does not.
+    file.candela = [](double, double v) { return v < 15.0 ? 1000.0 : v < 25.0 ? 0.1 : 0.005; };
+    EXPECT_NEAR(webOf(file).cutHalfAngleRad / kRadPerDeg, 20.0 + 10.0 * 0.09 / 0.095, 0.6);
     IesText everywhere;
     everywhere.verticalDeg = {0.0, 180.0};
     EXPECT_NEAR(webOf(everywhere).cutHalfAngleRad, kPi, 1e-12);
