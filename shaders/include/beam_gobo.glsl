@@ -76,7 +76,10 @@ vec3 goboCell(LampRay ray, BeamOptics optics, GoboPart part, float y) {
     float tangent = mix(part.xiFrom, part.xiTo, 0.5 + 0.5 * y) * part.line.endTangent;
     vec2 place = part.trace.closest + part.trace.along * tangent;
     vec3 through = goboTexel(0.5 + 0.5 * vec2(place.x, -place.y), goboLevel(ray, part.line, tangent));
-#ifndef FLAT_PROFILE
+#if defined(WEB)
+    through *= webAt(ray.across * (part.line.middle.x - part.line.middle.y * tangent) +
+                     ray.along * (part.line.middle.y + part.line.middle.x * tangent));
+#elif !defined(FLAT_PROFILE)
     through *= goboTableProfile(length(place), part.beamOverField, optics.exponent);
 #endif
     return through * cubicAt(part.smoothPart, y / part.spread);
@@ -154,6 +157,10 @@ vec3 integrateGobo(LampRay ray, BeamOptics optics, HazeMedium haze, bool whole, 
     float levelFrom = max(goboLevel(ray, line, -0.7 * line.endTangent), 0.0);
     float levelTo = max(goboLevel(ray, line, 0.7 * line.endTangent), 0.0);
     bool byTable = whole && lens.w >= 0.0 && abs(levelFrom - levelTo) < MOST_LEVELS_APART;
+#ifdef WEB
+    // A table holds the gobo alone, and a web is not smooth enough to be multiplied at four nodes.
+    byTable = false;
+#endif
     GoboPart part = goboPart(ray, optics, haze, line, byTable, sFrom, sTo, cells, values);
     vec3 sum = goboCells(ray, optics, part, 0.0, byTable ? 0.0 : 1.0);
     int table = max(int(lens.w), 0);

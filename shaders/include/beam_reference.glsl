@@ -70,7 +70,8 @@ Real3 beamInAirUniform(LampRay ray, BeamOptics optics, HazeMedium haze, Real tEn
         Real s = t - ray.tClosest;
         Real r = sqrt(ray.h * ray.h + s * s);
         LampSample here = lampSample(ray, ray.h / r, s / r, optics.apexToLensM);
-        if (here.cosAxis < optics.cosCut || r * here.cosAxis < optics.apexToLensM) continue;
+        bool beforeLens = optics.apexToLensM > Real(0.0) && r * here.cosAxis < optics.apexToLensM;
+        if (here.cosAxis < optics.cosCut || beforeLens) continue;
         Real3 value = apertureAt(here) * (beamKernel(here, optics, haze) * densityAt(t) / (r * r));
 #ifdef SHADOW
         value *= seesLamp(here.direction * r) ? Real(1.0) : Real(0.0);
