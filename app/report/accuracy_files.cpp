@@ -20,7 +20,9 @@ std::string accuracyPlot(const AccuracyScene& scene) {
         auto line = std::find_if(lines.begin(), lines.end(),
                                  [&](const PlotLine& other) { return other.name == row.integrator; });
         if (line == lines.end()) line = lines.insert(lines.end(), {row.integrator, {}});
-        const std::string label = row.samples > 0 ? fmt::format("{}", row.samples) : row.setting;
+        // "max-error 5%" is "5%" beside its point.
+        const std::string last = row.setting.substr(row.setting.rfind(' ') + 1);
+        const std::string label = row.samples > 0 ? fmt::format("{}", row.samples) : last;
         line->points.push_back({row.msMedian, row.error.rmsRel, label, row.setting == kOwnSetting});
     }
     return errorPlot(scene.title, lines);

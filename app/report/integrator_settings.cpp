@@ -12,10 +12,11 @@ IntegratorSetting uniform(int samples) {
     return {kUniformName, samplesSetting(samples), settings};
 }
 
-IntegratorSetting angleNodes(int nodes) {
+/// As --max-error asks for.
+IntegratorSetting angleWithin(double maxErrorPercent) {
     render::Settings settings;
-    settings.samples = nodes;
-    return {kAngleName, fmt::format("{} nodes", nodes), settings};
+    settings.maxError = maxErrorPercent / 100.0;
+    return {kAngleName, fmt::format("max-error {:g}%", maxErrorPercent), settings};
 }
 
 }  // namespace
@@ -33,12 +34,13 @@ std::vector<IntegratorSetting> integratorSettings(bool isQuick) {
     const std::vector<int> uniformSamples =
         isQuick ? std::vector<int>{20, 40, 60, 80, 100, 110, 120, 440, 1760}
                 : std::vector<int>{20, 40, 60, 80, 100, 110, 120, 440, 1760, 4096, 16384};
-    const std::vector<int> nodes =
-        isQuick ? std::vector<int>{4, 32} : std::vector<int>{4, 8, 16, 32, 64, 128};
+    const std::vector<double> percents =
+        isQuick ? std::vector<double>{5.0, 1.0}
+                : std::vector<double>{20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.01};
     std::vector<IntegratorSetting> table;
     for (const int samples : uniformSamples) table.push_back(uniform(samples));
+    for (const double percent : percents) table.push_back(angleWithin(percent));
     table.push_back({kAngleName, kOwnSetting, {}});
-    for (const int count : nodes) table.push_back(angleNodes(count));
     return table;
 }
 
