@@ -168,9 +168,10 @@ FramePart surfaceLight(const SummaryInputs& in) {
 
 FramePart air(const SummaryInputs& in) {
     FramePart part = named("light in the air", in.plan.air);
-    part.reason = part.needed           ? fmt::format("{} into haze that scatters {} /m",
+    part.reason = part.needed           ? fmt::format("{} into haze that scatters {} /m{}",
                                                       counted(in.plan.lit.size(), "lit lamp shines", "lit lamps shine"),
-                                                      in.scene.haze.scatteringPerM)
+                                                      in.plan.haze.scatteringPerM,
+                                            in.scene.haze.deltaEddington ? " beside its forward peak" : "")
                   : in.plan.lit.empty() ? kNoLampIsLit
                                         : "the haze scatters nothing";
     part.passes = {"beams"};

@@ -218,7 +218,9 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
 
     if (!plan.shadowMaps.empty()) r.pass("shadow maps", [&] { r.shadows.draw(scene, plan, r.meshes); });
     glViewport(0, 0, r.width, r.height);
-    if (plan.surfaces) r.pass("surfaces", [&] { r.surfaces.draw(scene, camera, r.meshes); });
+    if (plan.surfaces) {
+        r.pass("surfaces", [&] { r.surfaces.draw(scene, plan.haze.extinctionPerM, camera, r.meshes); });
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, r.radianceTarget.id());
     if (!plan.surfaces) r.pass("background", [&] { r.drawBackground(scene); });
     const std::vector<GoboTableSlot> goboTables =

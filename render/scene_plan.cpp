@@ -10,6 +10,7 @@
 #include "render/air_quality.h"
 
 #include "render/camera.h"
+#include "render/delta_eddington.h"
 #include "render/profile_rule.h"
 #include "render/shadow_atlas.h"
 
@@ -165,7 +166,8 @@ ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& se
         if (plan.shapes.back().peakCd > 0.0 && brightest > 0.0f) plan.lit.push_back(static_cast<int>(i));
     }
     plan.surfaces = !scene.instances.empty();
-    plan.air = !plan.lit.empty() && scene.haze.scatteringPerM > 0.0f;
+    plan.haze = hazeToIntegrate(scene.haze);
+    plan.air = !plan.lit.empty() && plan.haze.scatteringPerM > 0.0f;
     plan.bloom = settings.bloom;
     plan.lenses = groupLenses(scene, plan.lit);
 

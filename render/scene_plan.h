@@ -46,9 +46,10 @@ struct ScenePlan {
     bool surfaces = false;  ///< Anything with a mesh.
     bool air = false;       ///< Haze that scatters, and a lit beam.
     bool bloom = false;
-    std::vector<BeamShape> shapes;          ///< One per beam of the scene.
-    std::vector<BeamGroup> lenses;          ///< Lit lenses to draw.
-    std::vector<BeamGroup> airGroups;       ///< Empty without haze that scatters.
+    Haze haze;                         ///< What single scattering is integrated in, see hazeToIntegrate().
+    std::vector<BeamShape> shapes;     ///< One per beam of the scene.
+    std::vector<BeamGroup> lenses;     ///< Lit lenses to draw.
+    std::vector<BeamGroup> airGroups;  ///< Empty without haze that scatters.
     std::vector<BeamGroup> surfaceGroups;   ///< Only of beams that reach a surface.
     std::vector<ShadowMapPlan> shadowMaps;  ///< Only of lamps with a caster in the cone.
     int shadowAtlasEdge = 0;                ///< Texels along both edges of the texture of all maps; 0: none.

@@ -36,7 +36,7 @@ void hideLenses(render::Scene& scene) {
 }
 
 /// The same scene with light in the air alone: surfaces are black, lenses hidden. What the air is integrated
-/// with stays, but for the stand-in for multiple scattering: single scattering is what can be compared.
+/// with stays.
 render::Scene airAlone(render::Scene scene) {
     for (render::MeshInstance& instance : scene.instances) {
         instance.material.albedo = render::Color(0.0f);
@@ -45,7 +45,6 @@ render::Scene airAlone(render::Scene scene) {
     hideLenses(scene);
     scene.ambient.illuminanceLx = 0.0f;
     scene.backgroundCdPerM2 = render::Color(0.0f);
-    scene.haze.deltaEddington = false;
     return scene;
 }
 
@@ -189,7 +188,6 @@ void AccuracyRun::checkWhole(AccuracyScene& result) const {
         return;
     }
     hideLenses(scene);
-    scene.haze.deltaEddington = false;
     session_.renderer().render(scene, session_.camera(), sized(convergedSettings(nodes_)));
     result.wholeOracle = check(session_.renderer().readRadiance(), scene, result);
 }

@@ -18,9 +18,28 @@ constexpr double kSkyM = 1e5;
 /// Parts of a stretch where a gobo, a web or uneven haze leaves the integrand with kinks.
 constexpr int kUnevenParts = 48;
 
+/// What of a share of light, scattered with the mean cosine g and the mean square g^2 (second Legendre
+/// moment), is left when the second moment goes straight on.
+struct Lobe {
+    double share;
+    double meanCosine;
+};
+
+Lobe withoutPeak(const Lobe& lobe) {
+    const double straightOn = lobe.share * lobe.meanCosine * lobe.meanCosine;
+    const double left = lobe.share - straightOn;
+    return {left, (lobe.share * lobe.meanCosine - straightOn) / left};
+}
+
 HazeModel hazeModel(const Haze& haze) {
-    return {haze.extinctionPerM, haze.scatteringPerM, haze.phase.forwardG, haze.phase.backwardG,
-            haze.phase.forwardWeight};
+    Lobe forward{haze.phase.forwardWeight, haze.phase.forwardG};
+    const double backwardShare = 1.0 - forward.share;
+    if (haze.deltaEddington && forward.share * forward.meanCosine > 0.0) forward = withoutPeak(forward);
+    const double scattered = forward.share + backwardShare;
+    const double scatteringPerM = haze.scatteringPerM * scattered;
+    const double absorptionPerM = static_cast<double>(haze.extinctionPerM) - haze.scatteringPerM;
+    return {std::max(absorptionPerM + scatteringPerM, 0.0), scatteringPerM, forward.meanCosine,
+            haze.phase.backwardG, forward.share / scattered};
 }
 
 /// Schlick's Fresnel term of a coat that reflects `headOn`, and along itself all, or fifty times as much.

@@ -29,7 +29,7 @@ const gl::Program& AirPass::variant(LightFeatures features) {
 void AirPass::setHaze(const gl::Program& program, const LightInputs& in) {
     // The thesis marched to its far plane; this is a stage's worth of it.
     constexpr float kUniformRangeM = 60.0f;
-    const Haze& haze = in.scene.haze;
+    const Haze& haze = in.plan.haze;
     program.set("scatteringPerM", haze.scatteringPerM);
     program.set("phaseLobes", glm::vec3(haze.phase.forwardG, haze.phase.backwardG, haze.phase.forwardWeight));
     program.set("profileRules", kProfileUnit);

@@ -97,7 +97,7 @@ void setLightUniforms(const gl::Program& program, const LightInputs& in) {
     program.set("viewTangent", glm::vec2(viewTangent(in.camera, aspect)));
     program.set("beamRangeM", kBeamRangeM);
     program.set("circumscribe", static_cast<float>(1.0 / std::cos(kPi / kHullCorners)));
-    program.set("extinctionPerM", in.scene.haze.extinctionPerM);
+    program.set("extinctionPerM", in.plan.haze.extinctionPerM);
     program.set("distanceBuffer", kDistanceUnit);
     program.set("shapeBuffer", kShapeUnit);
     program.set("materialTable", kMaterialUnit);

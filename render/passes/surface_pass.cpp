@@ -79,14 +79,15 @@ void SurfacePass::drawInstance(std::size_t index, const Camera& camera, const Sc
     meshes.draw(instance.mesh);
 }
 
-void SurfacePass::draw(const Scene& scene, const Camera& camera, const MeshStore& meshes) {
+void SurfacePass::draw(const Scene& scene, float extinctionPerM, const Camera& camera,
+                       const MeshStore& meshes) {
     begin(scene);
     uploadMaterials(scene);
     glEnable(GL_DEPTH_TEST);
     const gl::Program& program = program_.get();
     program.use();
     program.set("clipFromView", glm::mat4(clipFromView(camera, aspect_)));
-    program.set("extinctionPerM", scene.haze.extinctionPerM);
+    program.set("extinctionPerM", extinctionPerM);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) drawInstance(i, camera, scene, meshes);
     glDisable(GL_DEPTH_TEST);
 }

@@ -25,7 +25,8 @@ class SurfacePass {
     /// Without bodies one texel of sky stands for all distances, there is no other target, and draw() must
     /// not be called.
     void resize(int width, int height, GLuint radiance, bool hasBodies);
-    void draw(const Scene& scene, const Camera& camera, const MeshStore& meshes);
+    /// Bodies are seen through haze of this extinction.
+    void draw(const Scene& scene, float extinctionPerM, const Camera& camera, const MeshStore& meshes);
 
     /// Adds what there is on the GPU.
     void list(Resources& resources) const;

@@ -161,6 +161,16 @@ TEST_F(OracleGl, UnevenHaze) {
     EXPECT_LT(rms(errorsOf(scene, {{0.5, -9.0, 2.0}, {0.0, 0.0, 1.6}, {0.0, 0.0, 1.0}, 0.7})), 1e-2);
 }
 
+// The forward peak goes straight on, in the air, to surfaces and from them.
+TEST_F(OracleGl, ThickHazeByDeltaEddington) {
+    Scene scene = stage();
+    scene.haze.extinctionPerM = 0.25f;
+    scene.haze.scatteringPerM = 0.24f;
+    scene.haze.phase = {0.85f, -0.5f, 0.95f};
+    scene.haze.deltaEddington = true;
+    EXPECT_LT(rms(errorsOf(scene, {{0.5, -9.0, 2.0}, {0.0, 0.0, 1.6}, {0.0, 0.0, 1.0}, 0.7})), 2e-3);
+}
+
 TEST_F(OracleGl, FarFromTheOrigin) {
     Scene scene = stage();
     const glm::dvec3 far(70000.0, -30000.0, 500.0);

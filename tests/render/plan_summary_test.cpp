@@ -15,6 +15,7 @@ namespace {
 using render::FramePart;
 using render::PlanSummary;
 using ::testing::Contains;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -225,6 +226,18 @@ TEST_F(PlanSummaryTest, ThinBeamsAreThoseThatTheGridWouldMiss) {
     EXPECT_THAT(part("thin beams").reason, HasSubstr("1 of 2 lit lamps is"));
     full_.settings.airStep = 1;
     expectLeftOut("thin beams", "without a coarse grid no beam can slip through it");
+}
+
+// Other constants, and nothing else.
+TEST_F(PlanSummaryTest, DeltaEddingtonTakesNoShaderOfItsOwn) {
+    full_.scene.haze.scatteringPerM = full_.scene.haze.extinctionPerM = 0.5f;
+    full_.scene.haze.phase = {0.5f, 0.0f, 1.0f};
+    const render::Resources before = render::neededResources(summarize());
+    EXPECT_THAT(part("light in the air").reason, EndsWith("into haze that scatters 0.5 /m"));
+    full_.scene.haze.deltaEddington = true;
+    EXPECT_EQ(render::neededResources(summarize()).shaders, before.shaders);
+    EXPECT_THAT(part("light in the air").reason,
+                EndsWith("into haze that scatters 0.375 /m beside its forward peak"));
 }
 
 TEST_F(PlanSummaryTest, WhatIsLeftOutSaysWhatItSaves) {
