@@ -174,7 +174,9 @@ vec3 integrateGobo(LampRay ray, BeamOptics optics, HazeMedium haze, bool whole, 
         float xiFrom = goboXi(ray, line, shadeLinePlace(shade, darkFrom));
         float xiTo = goboXi(ray, line, shadeLinePlace(shade, darkTo));
         vec2 shares = clamp((vec2(xiFrom, xiTo) - part.xiFrom) / (part.xiTo - part.xiFrom), 0.0, 1.0);
-        sum -= goboCells(ray, optics, part, shares.x, some ? shares.y : shares.x);
+        // The table's line may run against the ray.
+        float shareFrom = min(shares.x, shares.y);
+        sum -= goboCells(ray, optics, part, shareFrom, some ? max(shares.x, shares.y) : shareFrom);
     } while (dark != 0);
 #endif
     return meets ? max(sum, vec3(0.0)) : vec3(0.0);

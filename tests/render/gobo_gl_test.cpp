@@ -196,6 +196,34 @@ TEST_F(GoboGl, ACasterDarkensTheFloorAndTheAirBehindIt) {
     EXPECT_LT(floorOnly.at(kSize / 2, kSize / 2)[1], 0.01f * floorOpen.at(kSize / 2, kSize / 2)[1]);
 }
 
+// By the gobo's table a ray's line on the gobo may run with the ray or against it: the shadow is taken off
+// all the same.
+TEST_F(GoboGl, ACasterDarkensTheAirBehindItFromEverySide) {
+    Scene scene = lamp(0.0, 0.0, 0.0);
+    MeshInstance caster;
+    caster.mesh = box_;
+    caster.worldFromMesh = glm::translate(glm::dmat4(1.0), glm::dvec3(0.3, 0.3, 3.0)) *
+                           glm::scale(glm::dmat4(1.0), glm::dvec3(0.4, 0.4, 0.1));
+    scene.instances.push_back(caster);
+    render::Settings sampled;
+    sampled.samples = 512;
+    for (const double turnDeg : {20.0, 110.0, 200.0, 290.0}) {
+        const double turn = turnDeg * kRadPerDeg;
+        const Camera camera{{9.0 * std::cos(turn), 9.0 * std::sin(turn), 3.0},
+                            {0.0, 0.0, 2.5},
+                            {0.0, 0.0, 1.0},
+                            40.0 * kRadPerDeg};
+        const FloatImage got = draw(scene, camera, kSize, kSize);
+        const FloatImage want = draw(scene, camera, kSize, kSize, sampled);
+        double error = 0.0, light = 0.0;
+        for (std::size_t i = 0; i < want.rgb.size(); ++i) {
+            error += std::pow(got.rgb[i] - want.rgb[i], 2.0);
+            light += std::pow(want.rgb[i], 2.0);
+        }
+        EXPECT_LT(std::sqrt(error / light), 0.01) << "from " << turnDeg << " deg";
+    }
+}
+
 // No acne: a lit flat floor that casts shadows itself is as bright as one that does not.
 TEST_F(GoboGl, ALitSurfaceDoesNotShadowItself) {
     for (const double tilt : {0.0, 40.0, 60.0}) {
