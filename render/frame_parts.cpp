@@ -362,6 +362,26 @@ FramePart wideLamps(const SummaryInputs& in) {
     return part;
 }
 
+/// Beams in the air that are drawn with a feature.
+std::size_t beamsWith(const SummaryInputs& in, LightFeature feature) {
+    std::size_t beams = 0;
+    for (const BeamGroup& group : in.plan.airGroups)
+        beams += (group.features & feature) != 0 ? group.beams.size() : 0;
+    return beams;
+}
+
+FramePart lampsBackwards(const SummaryInputs& in) {
+    const std::size_t beams = beamsWith(in, kFeatureBackwards);
+    FramePart part = named("light backwards", beams > 0);
+    part.reason = part.needed    ? ofLit(beams, in, "shines", "shine", "backwards, too")
+                  : !in.plan.air ? kNoLightInTheAir
+                  : in.settings.integrator == Integrator::kUniform
+                      ? "the thesis' integrator takes every angle alike"
+                      : "no lit lamp without a web is wider than 180 degrees";
+    part.features = featureDefines(kFeatureBackwards);
+    return part;
+}
+
 FramePart lenses(const SummaryInputs& in) {
     const std::size_t shown = beamsIn(in.plan.lenses);
     FramePart part = named("lenses", shown > 0);
@@ -401,10 +421,10 @@ FramePart darkLamps(const SummaryInputs& in) {
 
 std::vector<FramePart> frameParts(const SummaryInputs& in) {
     return {
-        picture(in),   bodies(in),  background(in), meshes(in),    surfaceLight(in),
-        air(in),       airGrid(in), thinBeams(in),  noise(in),     uniformSamples(in),
-        profile(in),   gobos(in),   goboTables(in), webs(in),      shadows(in),
-        wideLamps(in), lenses(in),  bloom(in),      darkLamps(in),
+        picture(in),   bodies(in),         background(in), meshes(in), surfaceLight(in),
+        air(in),       airGrid(in),        thinBeams(in),  noise(in),  uniformSamples(in),
+        profile(in),   gobos(in),          goboTables(in), webs(in),   shadows(in),
+        wideLamps(in), lampsBackwards(in), lenses(in),     bloom(in),  darkLamps(in),
     };
 }
 

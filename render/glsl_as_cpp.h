@@ -56,6 +56,8 @@ struct Formulas : Surroundings {
 #include "shaders/include/beam_arc.glsl"
 #include "shaders/include/beam_density.glsl"
 #include "shaders/include/beam_integral.glsl"
+    // Needs that above.
+#include "shaders/include/beam_backwards.glsl"
 #include "shaders/include/beam_reference.glsl"
 #include "shaders/include/beam_shade.glsl"
 };

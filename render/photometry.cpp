@@ -13,6 +13,12 @@ constexpr double kRadPerDeg = kPi / 180.0;
 // Above this the super-Gaussian is a flat top with a steep edge for every purpose.
 constexpr double kMaxExponent = 12.0;
 constexpr double kMinExponent = 1.0;
+constexpr double kNarrowestFieldRad = 0.01 * kRadPerDeg;
+constexpr double kWidestFieldRad = 358.0 * kRadPerDeg;
+// A gobo lies on a plane before the lamp.
+constexpr double kWidestGoboFieldRad = 178.0 * kRadPerDeg;
+// Half angle from which on a lamp has no lens plane: it shines to all sides, or backwards, too.
+constexpr double kNoLensRad = 89.5 * kRadPerDeg;
 
 /// Solid angle weighted by the profile [sr]: flux = peak * this. Runs for every beam and frame, hence
 /// Gauss-Legendre.
@@ -34,6 +40,21 @@ double profileSolidAngle(const BeamShape& shape) {
     return 2.0 * kPi * sum * piece;
 }
 
+/// How far behind the lens the apex lies, over the lens' radius. Over the last half degree before kNoLensRad
+/// it moves into the lens, so that nothing jumps.
+double apexPerRadius(double fieldHalfAngleRad) {
+    constexpr double kLastDegreeRad = 89.0 * kRadPerDeg;
+    const double cotangent = 1.0 / std::tan(fieldHalfAngleRad);
+    if (fieldHalfAngleRad < kLastDegreeRad) return cotangent;
+    return std::max(std::min(cotangent, 2.0 * (kNoLensRad - fieldHalfAngleRad)), 0.0);
+}
+
+/// How far a soft beam may reach: to the lens plane, and within another degree of field all the way round.
+double widestCut(double fieldHalfAngleRad) {
+    const double beyond = std::clamp((fieldHalfAngleRad - kNoLensRad) / kRadPerDeg, 0.0, 1.0);
+    return std::lerp(kNoLensRad, 0.5 * kWidestFieldRad, beyond);
+}
+
 }  // namespace
 
 double relativeIntensity(const BeamShape& shape, double psiRad) {
@@ -44,7 +65,8 @@ double relativeIntensity(const BeamShape& shape, double psiRad) {
 
 BeamShape beamShape(const Beam& beam) {
     BeamShape shape;
-    const double field = std::clamp(beam.fieldAngleRad, 0.05 * kRadPerDeg, 178.0 * kRadPerDeg);
+    const double field = std::clamp(beam.fieldAngleRad, kNarrowestFieldRad,
+                                    beam.gobo >= 0 ? kWidestGoboFieldRad : kWidestFieldRad);
     const double edge = std::clamp(beam.beamAngleRad, 0.02 * field, field);
     shape.fieldHalfAngleRad = 0.5 * field;
     shape.cutHalfAngleRad = shape.fieldHalfAngleRad;
@@ -54,9 +76,9 @@ BeamShape beamShape(const Beam& beam) {
         shape.exponent = std::clamp(exponent, kMinExponent, kMaxExponent);
         shape.beamHalfAngleRad = 0.5 * edge;
         const double cut = std::pow(-std::log2(glsl::Formulas<double>().PROFILE_CUT), 1.0 / shape.exponent);
-        shape.cutHalfAngleRad = std::min(shape.beamHalfAngleRad * cut, 89.5 * kRadPerDeg);
+        shape.cutHalfAngleRad = std::min(shape.beamHalfAngleRad * cut, widestCut(shape.fieldHalfAngleRad));
     }
-    shape.apexToLensM = std::max(beam.lensRadiusM, 0.0) / std::tan(shape.fieldHalfAngleRad);
+    shape.apexToLensM = std::max(beam.lensRadiusM, 0.0) * apexPerRadius(shape.fieldHalfAngleRad);
     shape.peakCd =
         beam.intensityCd > 0.0 ? beam.intensityCd : std::max(beam.fluxLm, 0.0) / profileSolidAngle(shape);
     return shape;

@@ -10,7 +10,7 @@ namespace hazer::render {
 struct BeamShape {
     double beamHalfAngleRad = 0.0;   ///< 50 % of the peak; equals cutHalfAngleRad where the profile is flat.
     double fieldHalfAngleRad = 0.0;  ///< 10 % of the peak; the edge of a gobo.
-    double cutHalfAngleRad = 0.0;    ///< Nothing beyond; below 89.5 degrees.
+    double cutHalfAngleRad = 0.0;    ///< Nothing beyond; up to 179 degrees.
     double exponent = 0.0;           ///< Of the super-Gaussian, 1..12; 0: flat.
     double apexToLensM =
         0.0;  ///< The virtual apex lies this far behind the lens: the cone is as wide as the lens there.
@@ -18,8 +18,8 @@ struct BeamShape {
 };
 
 /// Derives the shape from a beam's angles, lens and flux. The integral of intensity over the sphere is the
-/// flux. Angles out of range are clamped: field angle to 0.05..178 degrees, beam angle to at most the field
-/// angle.
+/// flux. Angles out of range are clamped: field angle to 0.01..358 degrees (178 with a gobo), beam angle to
+/// at most the field angle. A lamp of a field of 179 degrees or more has its apex in the lens.
 BeamShape beamShape(const Beam& beam);
 
 /// Intensity at `psiRad` from the axis relative to the peak, by the shaders' own formula.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -17,24 +18,31 @@
 namespace hazer::render {
 namespace {
 
-constexpr std::array<std::pair<LightFeatures, const char*>, 9> kFeatureNames{{{kFeatureFlat, "FLAT_PROFILE"},
-                                                                              {kFeatureGobo, "GOBO"},
-                                                                              {kFeatureShadow, "SHADOW"},
-                                                                              {kFeatureNoise, "NOISE"},
-                                                                              {kFeatureUniform, "UNIFORM"},
-                                                                              {kFeatureWeb, "WEB"},
-                                                                              {kFeatureCount, "COUNT"},
-                                                                              {kFeatureWide, "SHADOW_FACES"},
-                                                                              {kFeatureSampled, "SAMPLED"}}};
+constexpr std::array<std::pair<LightFeatures, const char*>, 10> kFeatureNames{
+    {{kFeatureFlat, "FLAT_PROFILE"},
+     {kFeatureGobo, "GOBO"},
+     {kFeatureShadow, "SHADOW"},
+     {kFeatureNoise, "NOISE"},
+     {kFeatureUniform, "UNIFORM"},
+     {kFeatureWeb, "WEB"},
+     {kFeatureCount, "COUNT"},
+     {kFeatureWide, "SHADOW_FACES"},
+     {kFeatureSampled, "SAMPLED"},
+     {kFeatureBackwards, "BACKWARDS"}}};
 
 /// What only the light in the air knows.
-constexpr LightFeatures kAirOnly = kFeatureNoise | kFeatureUniform | kFeatureCount | kFeatureSampled;
+constexpr LightFeatures kAirOnly =
+    kFeatureNoise | kFeatureUniform | kFeatureCount | kFeatureSampled | kFeatureBackwards;
 
 bool canBe(LightFeatures features) {
     const auto together = [features](LightFeatures two) { return (features & two) == two; };
+    const auto either = [features](LightFeatures some) { return (features & some) != 0; };
     const bool isWideWithoutShadow = (features & kFeatureWide) != 0 && (features & kFeatureShadow) == 0;
+    const bool isBackwardsInVain =
+        either(kFeatureBackwards) && (either(kFeatureWeb | kFeatureGobo | kFeatureUniform) ||
+                                      (features & (kFeatureShadow | kFeatureWide)) == kFeatureShadow);
     return !together(kFeatureFlat | kFeatureWeb) && !together(kFeatureUniform | kFeatureSampled) &&
-           !isWideWithoutShadow;
+           !isWideWithoutShadow && !isBackwardsInVain;
 }
 
 /// Every combination of features without those of `never`.
@@ -65,6 +73,12 @@ LightFeatures featuresOf(const Beam& beam, const BeamShape& shape, const Setting
     return features;
 }
 
+/// What a beam needs in the air besides.
+LightFeatures inAir(const Beam& beam, const BeamShape& shape, LightFeatures haze) {
+    const bool isBackwards = beam.web < 0 && std::cos(shape.cutHalfAngleRad) < 0.0;
+    return isBackwards && (haze & kFeatureUniform) == 0 ? LightFeatures{kFeatureBackwards} : 0;
+}
+
 /// What the haze adds for every beam in the air.
 LightFeatures airFeatures(const Scene& scene, const Settings& settings) {
     LightFeatures features = 0;
@@ -78,10 +92,9 @@ LightFeatures airFeatures(const Scene& scene, const Settings& settings) {
 }
 
 /// Beams that need the same, together.
-std::vector<BeamGroup> groupBeams(const std::vector<int>& lit, const std::vector<LightFeatures>& features,
-                                  LightFeatures common) {
+std::vector<BeamGroup> groupBeams(const std::vector<int>& lit, const std::vector<LightFeatures>& features) {
     std::map<LightFeatures, std::vector<int>> groups;
-    for (const int beam : lit) groups[features[static_cast<std::size_t>(beam)] | common].push_back(beam);
+    for (const int beam : lit) groups[features[static_cast<std::size_t>(beam)]].push_back(beam);
     std::vector<BeamGroup> list;
     for (auto& [needed, beams] : groups) list.push_back({needed, std::move(beams)});
     return list;
@@ -96,7 +109,7 @@ std::vector<BeamGroup> groupLenses(const Scene& scene, const std::vector<int>& l
         if (beam.showsLens && beam.lensRadiusM > 0.0) seen.push_back(index);
         if (beam.web >= 0) features[static_cast<std::size_t>(index)] = kFeatureWeb;
     }
-    return groupBeams(seen, features, 0);
+    return groupBeams(seen, features);
 }
 
 /// Fills the plan's part of shadows, and what the beams reach.
@@ -180,11 +193,17 @@ ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& se
     for (const ShadowMapPlan& map : plan.shadowMaps) {
         features[static_cast<std::size_t>(map.beam)] |= kFeatureShadow | (map.isWide ? kFeatureWide : 0u);
     }
-    if (plan.air) plan.airGroups = groupBeams(plan.lit, features, airFeatures(scene, settings));
     std::vector<int> onSurfaces;
     std::copy_if(plan.lit.begin(), plan.lit.end(), std::back_inserter(onSurfaces),
                  [&](int beam) { return plan.surfaceReach[static_cast<std::size_t>(beam)].has_value(); });
-    plan.surfaceGroups = groupBeams(onSurfaces, features, 0);
+    plan.surfaceGroups = groupBeams(onSurfaces, features);
+    if (!plan.air) return plan;
+    const LightFeatures haze = airFeatures(scene, settings);
+    for (const int beam : plan.lit) {
+        const auto index = static_cast<std::size_t>(beam);
+        features[index] |= haze | inAir(scene.beams[index], plan.shapes[index], haze);
+    }
+    plan.airGroups = groupBeams(plan.lit, features);
     return plan;
 }
 

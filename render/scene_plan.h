@@ -26,6 +26,9 @@ enum LightFeature : std::uint32_t {
     kFeatureCount = 1u << 6,    ///< Counts instead of drawing; in the air only.
     kFeatureWide = 1u << 7,     ///< Shadow maps all around a wide lamp; only with kFeatureShadow.
     kFeatureSampled = 1u << 8,  ///< As many nodes as the settings say; in the air only.
+    /// The lamp shines backwards, too: all but a cone is lit. In the air only; webs and the thesis'
+    /// integrator need no code for it.
+    kFeatureBackwards = 1u << 9,
 };
 using LightFeatures = std::uint32_t;
 

@@ -101,6 +101,9 @@ vec4 goboTableTexel(vec2 place, float layer) {
 #ifdef WEB
 #include "include/beam_web.glsl"
 #endif
+#ifdef BACKWARDS
+#include "include/beam_backwards.glsl"
+#endif
 
 #ifndef UNIFORM
 // What the lit part of the ray sends to the eye, for integrals see beam_integral.glsl.
@@ -137,6 +140,8 @@ vec3 litLight(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) {
     float smoothSum = integrateSmooth(ray, optics, haze, lit, 1);
 #elif defined(WEB)
     float smoothSum = integrateWeb(ray, optics, haze, lit);
+#elif defined(BACKWARDS)
+    float smoothSum = integrateBackwards(ray, optics, haze, lit);
 #else
     float smoothSum = integrateSoft(ray, optics, haze, lit, arc, profilePairs);
 #endif
@@ -160,6 +165,13 @@ void main() {
     float endM = pixelDistance();
 #ifdef UNIFORM
     vec3 relative = beamInAirUniform(ray, optics, haze, min(endM, uniformRangeM), sampleCount);
+#elif defined(BACKWARDS)
+    vec3 sum = vec3(0.0);
+    for (int part = 0; part < 2; ++part) {
+        LitPart lit = litPartBackwards(ray, optics, haze, endM, part);
+        if (lit.some) sum += litLight(ray, optics, haze, lit);
+    }
+    vec3 relative = sum * (haze.scatteringPerM / ray.h);
 #else
     LitPart lit = litPart(ray, optics, haze, endM);
     vec3 relative = lit.some ? litLight(ray, optics, haze, lit) * (haze.scatteringPerM / ray.h) : vec3(0.0);

@@ -27,31 +27,38 @@ struct LitPart {
     Real2 singular;  // see makeArc
 };
 
+// What of the stretch between two tangents matters.
+LitPart litBetween(LampRay ray, HazeMedium haze, Real from, Real to) {
+    LitPart lit;
+    lit.from = from;
+    // Thick haze leaves only the near end: the way t + r = tClosest + h T grows until the light has fallen to 1e-5 of what it was.
+    lit.fade = Real(1.0) / max(haze.extinctionPerM * ray.h, Real(1e-12));
+    lit.to = min(to, from + Real(11.5) * lit.fade);
+    lit.some = lit.from < lit.to;
+    lit.whole = false;
+    lit.singular = arcSingularities(haze);
+    return lit;
+}
+
 // From the eye to tEnd [m].
 LitPart litPart(LampRay ray, BeamOptics optics, HazeMedium haze, Real tEnd) {
     Real sFrom = -ray.tClosest;
     Real sTo = tEnd - ray.tClosest;
     Real coneFrom = Real(0.0);
     Real coneTo = FARTHEST_TANGENT;
-    LitPart lit;
-    lit.some = true;
+    bool meets = true;
 #ifdef WEB
     // A lamp that shines backwards, too, has neither a cone nor a lens plane.
     if (optics.cosCut > Real(0.0)) {
 #endif
     clipToLens(ray, optics.apexToLensM, sFrom, sTo);
-    lit.some = coneTangents(ray, optics.cosCut, optics.sinCut, coneFrom, coneTo);
+    meets = coneTangents(ray, optics.cosCut, optics.sinCut, coneFrom, coneTo);
 #ifdef WEB
     }
 #endif
-    lit.from = max(coneFrom, tangentAt(ray, sFrom));
-    lit.to = min(coneTo, tangentAt(ray, sTo));
-    // Thick haze leaves only the near end: the way t + r = tClosest + h T grows until the light has fallen to 1e-5 of what it was.
-    lit.fade = Real(1.0) / max(haze.extinctionPerM * ray.h, Real(1e-12));
-    lit.to = min(lit.to, lit.from + Real(11.5) * lit.fade);
-    lit.some = lit.some && lit.from < lit.to;
+    LitPart lit = litBetween(ray, haze, max(coneFrom, tangentAt(ray, sFrom)), min(coneTo, tangentAt(ray, sTo)));
+    lit.some = lit.some && meets;
     lit.whole = lit.from == coneFrom && lit.to == coneTo && coneFrom > Real(0.0) && coneTo < FARTHEST_TANGENT;
-    lit.singular = arcSingularities(haze);
     return lit;
 }
 

@@ -58,13 +58,15 @@ render::oracle::BeamModel beamOf(const Numbers& n) {
     render::oracle::BeamModel beam;
     const double field = n.halfAngleDeg * kPi / 180.0;
     beam.cutHalfAngleRad = beam.beamHalfAngleRad = field;
-    beam.apexToLensM = n.lensRadiusM / std::tan(field);
+    // A lamp that shines backwards, too, has no lens plane.
+    beam.apexToLensM = n.halfAngleDeg < 89.0 ? n.lensRadiusM / std::tan(field) : 0.0;
     if (n.beamHalfAngleDeg > 0.0) {
         beam.beamHalfAngleRad = n.beamHalfAngleDeg * kPi / 180.0;
         beam.exponent = std::log(std::log(10.0) / std::log(2.0)) / std::log(field / beam.beamHalfAngleRad);
         beam.profileCut = kPedestal;
         beam.cutHalfAngleRad =
-            beam.beamHalfAngleRad * std::pow(std::log2(1.0 / kPedestal), 1.0 / beam.exponent);
+            std::min(beam.beamHalfAngleRad * std::pow(std::log2(1.0 / kPedestal), 1.0 / beam.exponent),
+                     kPi * 179.0 / 180.0);
     }
     return beam;
 }
@@ -229,6 +231,20 @@ TEST_F(Comparable, narrowAndWideBeams) {
     numbers.eyeTargetM = {0.25, 0.15, 2.9};
     numbers.fovDeg = 8.0;
     expectEquation(drawn(written(numbers)), numbers);
+}
+
+TEST_F(Comparable, lampsThatShineBackwards) {
+    for (const double halfAngleDeg : {95.0, 120.0, 179.0}) {
+        for (const double beamHalfAngleDeg : {0.0, 0.8 * halfAngleDeg}) {
+            SCOPED_TRACE(fmt::format("{} degrees", halfAngleDeg));
+            Numbers numbers;
+            numbers.halfAngleDeg = halfAngleDeg;
+            numbers.beamHalfAngleDeg = beamHalfAngleDeg;
+            numbers.lensRadiusM = 0.05;
+            numbers.lampTargetM = {-3.0, -5.0, 8.0};
+            expectEquation(drawn(written(numbers)), numbers);
+        }
+    }
 }
 
 TEST_F(Comparable, colouredLightOnNeutralSurfaces) {

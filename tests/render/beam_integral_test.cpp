@@ -135,6 +135,20 @@ TEST(BeamIntegral, HalfAnglesOfEverySize) {
     }
 }
 
+// A lamp that shines backwards, too, may light a ray twice: before its dark cone and behind it.
+TEST(BeamIntegral, HalfAnglesAboveNinetyDegrees) {
+    for (const double halfAngleDeg : {90.1, 95.0, 120.0, 150.0, 170.0, 179.0}) {
+        for (const double beamOverField : {1.0, 0.7, 0.4}) {
+            const auto beam = [&](std::mt19937&) { return beamOf(halfAngleDeg, beamOverField, 0.05); };
+            Errors errors = errorsOf(
+                3000, beam, [](const BeamView& view) { return BeamFormulas<float>(view).radiance(); });
+            errors.report(fmt::format("{} degrees, beam / field {}", halfAngleDeg, beamOverField));
+            EXPECT_LT(errors.quantile(0.5), 1e-4);
+            EXPECT_LT(errors.quantile(0.999), 1e-3);
+        }
+    }
+}
+
 // Nodes by number are the reference of reports: they must come as near as the thick haze's cut at 1e-5 lets
 // them.
 TEST(BeamIntegral, NodesByNumberConverge) {
@@ -159,6 +173,24 @@ TEST(BeamIntegral, UniformSamplesConvergeToTheSameRadiance) {
                 .x;
         EXPECT_NEAR(uniform / expected, 1.0, 2e-2);
     }
+}
+
+TEST(BeamIntegral, UniformSamplesSeeLampsThatShineBackwards) {
+    std::mt19937 random(12);
+    int lit = 0;
+    for (int i = 0; i < 20; ++i) {
+        const BeamView view = randomView(random, beamOf(100.0 + 4.0 * i, i % 2 == 0 ? 1.0 : 0.6, 0.05));
+        BeamFormulas<double> formulas(view);
+        const double expected = render::oracle::airRadiance(view.beam, view.haze, view.ray);
+        if (expected < 1e-9 || formulas.lampView.h < 0.1) continue;
+        ++lit;
+        const double uniform =
+            formulas
+                .beamInAirUniform(formulas.lampView, formulas.optics, formulas.haze, formulas.endM, 100000)
+                .x;
+        EXPECT_NEAR(uniform / expected, 1.0, 1e-3);
+    }
+    EXPECT_GT(lit, 10);
 }
 
 }  // namespace

@@ -60,12 +60,25 @@ struct BeamFormulas : render::glsl::Formulas<Scalar, SoftAir<Scalar>> {
 
     /// As drawn. `pairs` is what a soft profile gets where its rule does not hold.
     double radiance(int pairs = 4) {
+        if (optics.cosCut < Scalar(0)) return backwardsRadiance();
         const auto lit = this->litPart(lampView, optics, haze, endM);
         if (!lit.some) return 0.0;
         const auto arc = this->makeArc(lit.singular, lit.from, lit.to);
         const Scalar integral = optics.exponent > Scalar(0)
                                     ? this->integrateSoft(lampView, optics, haze, lit, arc, pairs)
                                     : this->integrateSmooth(lampView, optics, haze, lit, 1);
+        return static_cast<double>(integral * haze.scatteringPerM / lampView.h);
+    }
+
+    /// As drawn, of a lamp that shines backwards, too.
+    double backwardsRadiance() {
+        Scalar integral = 0;
+        for (const int part : {0, 1}) {
+            const auto lit = this->litPartBackwards(lampView, optics, haze, endM, part);
+            if (!lit.some) continue;
+            integral += optics.exponent > Scalar(0) ? this->integrateBackwards(lampView, optics, haze, lit)
+                                                    : this->integrateSmooth(lampView, optics, haze, lit, 1);
+        }
         return static_cast<double>(integral * haze.scatteringPerM / lampView.h);
     }
 

@@ -165,5 +165,20 @@ TEST_F(PlanSummaryGlTest, GridWebAndWideLampAreAsPlanned) {
     expectAsPlanned(wide.summary, *wide.renderer);
 }
 
+TEST_F(PlanSummaryGlTest, LampsThatShineBackwardsAreAsPlanned) {
+    for (const render::Integrator integrator : {render::Integrator::kAngle, render::Integrator::kUniform}) {
+        const Drawn drawn = drawFresh([&](FeatureScene& made) {
+            made.settings.integrator = integrator;
+            made.scene.beams.back().fieldAngleRad = 4.2;
+            made.scene.beams.back().beamAngleRad = 3.0;
+        });
+        expectAsPlanned(drawn.summary, *drawn.renderer);
+        const auto part = std::ranges::find(drawn.summary.parts, "light backwards", &FramePart::name);
+        ASSERT_NE(part, drawn.summary.parts.end());
+        EXPECT_EQ(part->needed, integrator == render::Integrator::kAngle);
+        if (!part->needed) expectNoneOf(*part, *drawn.renderer);
+    }
+}
+
 }  // namespace
 }  // namespace hazer::test

@@ -158,6 +158,28 @@ TEST(ScenePlan, AWideLampNeedsShadowMapsAllAround) {
     expectListed(p.surfaceGroups, render::allSurfaceVariants());
 }
 
+TEST(ScenePlan, OnlyALampWiderThanAHalfSpaceShinesBackwards) {
+    Scene scene = sceneWithBall({0.0, 0.0, 2.0});
+    Beam& beam = scene.beams.front();
+    beam.edge = render::BeamEdge::kFlat;
+    beam.castsShadow = false;
+    for (const double fieldDeg : {20.0, 179.0, 180.0, 181.0, 358.0}) {
+        beam.fieldAngleRad = glm::radians(fieldDeg);
+        const render::LightFeatures further = fieldDeg > 180.0 ? render::kFeatureBackwards : 0u;
+        EXPECT_EQ(onlyFeatures(plan(scene)), render::kFeatureFlat | further) << fieldDeg;
+        ASSERT_EQ(plan(scene).surfaceGroups.size(), 1u);
+        EXPECT_EQ(plan(scene).surfaceGroups.front().features, render::kFeatureFlat);
+        expectListed(plan(scene).airGroups, render::allAirVariants());
+    }
+    beam.castsShadow = true;
+    EXPECT_EQ(onlyFeatures(plan(scene)), render::kFeatureFlat | render::kFeatureShadow |
+                                             render::kFeatureWide | render::kFeatureBackwards);
+    expectListed(plan(scene).airGroups, render::allAirVariants());
+    render::Settings thesis;
+    thesis.integrator = render::Integrator::kUniform;
+    EXPECT_EQ(onlyFeatures(plan(scene, thesis)) & render::kFeatureBackwards, 0u);
+}
+
 TEST(ScenePlan, ALampThatHidesItsLensHasNone) {
     Scene scene = sceneWithBall({9.0, 0.0, 2.0});
     scene.beams.front().showsLens = false;
