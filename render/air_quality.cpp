@@ -21,7 +21,7 @@ int gridStepFor(double maxError) {
 AirQuality airQualityFor(double maxError) {
     AirQuality quality;
     quality.gridStep = gridStepFor(maxError);
-    quality.gridTolerance = maxError;
+    quality.gridTolerance = 4.0 * maxError;
     // Shadow edges are found by bisection: what is missed are occluders between two looks, 1 / N^2.
     quality.shadowIntervals = count(std::sqrt(1.1 / maxError), 8, 29);
     // Even taps over a picture with edges: 1 / N.

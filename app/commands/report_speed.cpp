@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/max_error_option.h"
 #include "app/commands/report.h"
 #include "app/commands/size_option.h"
 #include "app/demo_programme.h"
@@ -23,6 +24,7 @@ struct SpeedOptions {
     std::string integrator = "angle";
     Size size;
     int frames = 30;
+    double maxError = 0.0;
     bool isJson = false;
 };
 
@@ -33,6 +35,7 @@ int runSpeed(const SpeedOptions& options) {
     Session session(std::move(show), {});
     session.settings().width = options.size.width;
     session.settings().height = options.size.height;
+    session.settings().maxError = options.maxError;
     if (options.integrator == "uniform") session.settings().integrator = render::Integrator::kUniform;
     session.setTime(kStrikingMomentS);
     const SpeedReport report = measureSpeed(session, options.frames);
@@ -54,7 +57,7 @@ void addSpeedReport(CLI::App& report, Command& chosen) {
     CLI::App* command = report.add_subcommand("speed", "How long each pass of a show's frames takes.");
     beginHelpWith(*command,
                   "  hazer report speed                              the show that comes with hazer\n"
-                  "  hazer report speed myshow.toml --size 1920x1080\n"
+                  "  hazer report speed myshow.toml --size 1920x1080 --max-error 1%\n"
                   "  hazer report speed myshow.toml --json --out my-report\n");
     command->add_option("SHOW", options->show, "The show file (.toml); the demo unless given");
     addSizeOption(*command, options->size);
@@ -64,6 +67,7 @@ void addSpeedReport(CLI::App& report, Command& chosen) {
         ->add_option("--integrator", options->integrator,
                      "How light in the haze is summed; angle unless given")
         ->check(CLI::IsMember({"angle", "uniform"}));
+    addMaxErrorOption(*command, options->maxError);
     command->add_option("--out", options->out, "Folder that speed.json and speed.md are written into, too");
     command->add_flag("--json", options->isJson, "Print JSON");
     command->callback([options, &chosen] { chosen = [options] { return runSpeed(*options); }; });

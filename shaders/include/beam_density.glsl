@@ -21,3 +21,18 @@ Real densityOf(LampRay ray, BeamOptics optics, HazeMedium haze, Arc arc, int nod
     } while (node < nodes);
     return weights > Real(0.0) ? sum / weights : Real(1.0);
 }
+
+Real cubicPower(Real4 c, Real y) { return c.x + y * (c.y + y * (c.z + y * c.w)); }
+
+// The cubic closest to a function (least squares over `count` >= 4 places in the middles of even intervals of -1..1) as powers of y, from the
+// means of f, f y, f y^2 and f y^3 over them, by polynomials that are orthogonal over these very places: 1, y, y^2 - m2, y^3 - m4 / m2 y, with
+// m2, m4, m6 the means of powers of y.
+Real4 evenCubic(Real4 means, Real count) {
+    Real u = Real(1.0) / (count * count);
+    Real m2 = (Real(1.0) - u) / Real(3.0);
+    Real m4 = (Real(1.0) - u) * (Real(3.0) - Real(7.0) * u) / Real(15.0);
+    Real m6 = (Real(1.0) - u) * (Real(3.0) + u * (Real(31.0) * u - Real(18.0))) / Real(21.0);
+    Real even = (means.z - m2 * means.x) / (m4 - m2 * m2);
+    Real odd = (means.w - m4 / m2 * means.y) / (m6 - m4 * m4 / m2);
+    return Real4(means.x - m2 * even, means.y / m2 - m4 / m2 * odd, even, odd);
+}

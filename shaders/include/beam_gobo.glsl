@@ -70,12 +70,16 @@ struct GoboPart {
     float spread;
     float beamOverField;
     int cells;
+    float cellLevel;  // mip level at which a texel is as long as what a look at a cell stands for
 };
+
+// Texels of a look over those of its cell: the means over squares that mip levels are hold more than the line, and less would leave gaps.
+const float CELL_BLUR = 0.42;
 
 vec3 goboCell(LampRay ray, BeamOptics optics, GoboPart part, float y) {
     float tangent = mix(part.xiFrom, part.xiTo, 0.5 + 0.5 * y) * part.line.endTangent;
     vec2 place = part.trace.closest + part.trace.along * tangent;
-    vec3 through = goboTexel(0.5 + 0.5 * vec2(place.x, -place.y), goboLevel(ray, part.line, tangent));
+    vec3 through = goboTexel(0.5 + 0.5 * vec2(place.x, -place.y), max(goboLevel(ray, part.line, tangent), part.cellLevel));
 #if defined(WEB)
     through *= webAt(ray.across * (part.line.middle.x - part.line.middle.y * tangent) +
                      ray.along * (part.line.middle.y + part.line.middle.x * tangent));
@@ -100,10 +104,8 @@ vec3 goboCells(LampRay ray, BeamOptics optics, GoboPart part, float shareFrom, f
 }
 
 #ifdef NOISE
-float legendreSum(vec4 c, float y) { return c.x + y * c.y + (1.5 * y * y - 0.5) * c.z + y * (2.5 * y * y - 1.5) * c.w; }
-
-// The haze's density along a part of the line, y = -1..1, by Legendre's polynomials: what varies more slowly than the gobo's own edges. A gobo
-// that lights but a part of the line meets the density of that part.
+// The haze's density along a part of the line, y = -1..1, as the cubic closest to even looks at it: what varies more slowly than the gobo's own
+// edges. A gobo that lights but a part of the line meets the density of that part. Powers of y come back.
 vec4 densityAlong(LampRay ray, GoboLine line, float xiFrom, float xiTo) {
     vec4 sum = vec4(0.0);
     int node = 0;
@@ -111,10 +113,10 @@ vec4 densityAlong(LampRay ray, GoboLine line, float xiFrom, float xiTo) {
         float y = 2.0 * (float(node) + 0.5) / float(noiseNodes) - 1.0;
         float tangent = mix(xiFrom, xiTo, 0.5 + 0.5 * y) * line.endTangent;
         float t = ray.tClosest + ray.h * (line.middle.y + line.middle.x * tangent) / (line.middle.x - line.middle.y * tangent);
-        sum += densityAt(t) * vec4(1.0, 3.0 * y, 5.0 * (1.5 * y * y - 0.5), 7.0 * y * (2.5 * y * y - 1.5));
+        sum += densityAt(t) * vec4(1.0, y, y * y, y * y * y);
         ++node;
     } while (node < noiseNodes);
-    return sum / float(noiseNodes);
+    return evenCubic(sum / float(noiseNodes), float(noiseNodes));
 }
 #endif
 
@@ -132,14 +134,18 @@ GoboPart goboPart(LampRay ray, BeamOptics optics, HazeMedium haze, GoboLine line
         values[i] = jacobian * hazeKernel(here, haze) * goboProfileRatio(optics, here, gobo.yz);
     }
 #ifdef NOISE
-    vec4 swirls = densityAlong(ray, line, part.xiFrom, part.xiTo);
-    for (int i = 0; i < 4; ++i) values[i] *= legendreSum(swirls, goboNode(i, part.spread));
+    float xiMiddle = 0.5 * (part.xiFrom + part.xiTo);
+    float xiReach = 0.5 * (part.xiTo - part.xiFrom) * part.spread;
+    vec4 swirls = densityAlong(ray, line, xiMiddle - xiReach, xiMiddle + xiReach);
+    for (int i = 0; i < 4; ++i) values[i] *= cubicPower(swirls, goboNode(i, 1.0));
 #endif
     part.smoothPart = cubicThrough(values);
     part.beamOverField = optics.beamHalfAngle / atan(1.0, length(gobo.yz));
     // Cells are as long as those of a chord through the middle.
     float length = 0.5 * abs(part.xiTo - part.xiFrom) * sqrt((1.0 - line.distance) * (1.0 + line.distance));
     part.cells = clamp(int(ceil(float(cells) * length)), 4, cells);
+    float cellTexels = goboTexels(abs((part.xiTo - part.xiFrom) * line.endTangent)) / float(part.cells);
+    part.cellLevel = log2(CELL_BLUR * max(cellTexels, 1.0));
     return part;
 }
 
@@ -164,7 +170,8 @@ vec3 integrateGobo(LampRay ray, BeamOptics optics, HazeMedium haze, bool whole, 
     GoboPart part = goboPart(ray, optics, haze, line, byTable, sFrom, sTo, cells, values);
     vec3 sum = goboCells(ray, optics, part, 0.0, byTable ? 0.0 : 1.0);
     int table = max(int(lens.w), 0);
-    vec3 tabled = throughGobo(goboCoefficients(values, part.spread), line, float(table / 2), table % 2 == 1, 0.5 * (levelFrom + levelTo));
+    GoboBlur blur = GoboBlur(0.5 * (levelFrom + levelTo), (levelTo - levelFrom) / 1.4);
+    vec3 tabled = throughGobo(values, part.spread, line, float(table / 2), table % 2 == 1, blur);
     sum = byTable ? tabled : sum;
 #ifdef SHADOW
     do {

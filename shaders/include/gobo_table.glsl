@@ -130,23 +130,30 @@ Real2 goboTablePlace(GoboLine line, int level) {
     return Real2(at.x + line.turn * at.z + Real(0.5), at.y + line.distance * (at.w - Real(1.0)) + Real(0.5));
 }
 
-// M_0..M_3 of a line in one layer of the table, blurred as mip level `blurLevel` >= 0 of the gobo's picture.
-Real4 goboMoments(GoboLine line, Real layer, Real blurLevel) {
-    Real level = min(blurLevel, Real(GOBO_TABLE_LEVELS - 1));
-    int lower = int(level);
-    Real share = level - Real(lower);
-    Real4 moments = goboTableTexel(goboTablePlace(line, lower), layer);
-    if (share > Real(0.0)) {
-        Real4 coarser = goboTableTexel(goboTablePlace(line, lower + 1), layer);
-        moments = moments + (coarser - moments) * share;
-    }
-    return moments;
-}
+// M_0..M_3 of a line in one layer of the table, blurred as a mip level of the gobo's picture.
+Real4 goboMoments(GoboLine line, Real layer, int level) { return goboTableTexel(goboTablePlace(line, level), layer); }
 
-// integral T W dxi. A grey gobo has one layer, a coloured one three: red, green, blue.
-Real3 throughGobo(Real4 coefficients, GoboLine line, Real firstLayer, bool coloured, Real blurLevel) {
-    Real red = dot(coefficients, goboMoments(line, firstLayer, blurLevel));
-    if (!coloured) return Real3(red);
-    return Real3(red, dot(coefficients, goboMoments(line, firstLayer + Real(1.0), blurLevel)),
-                 dot(coefficients, goboMoments(line, firstLayer + Real(2.0), blurLevel)));
+// How blurred the gobo is along a line, as mip level of its picture: middle + slope xi, at least 0.
+struct GoboBlur {
+    Real middle;
+    Real slope;
+};
+
+// integral T W dxi, from W at goboNode(0..3). Between two mip levels T is mixed in proportion: each level gets its share of W, so that the blur may
+// change along the line. A grey gobo has one layer, a coloured one three: red, green, blue.
+Real3 throughGobo(Real4 values, Real spread, GoboLine line, Real firstLayer, bool coloured, GoboBlur blur) {
+    int level = clamp(int(blur.middle), 0, GOBO_TABLE_LEVELS - 2);
+    Real4 blurrier;
+    for (int i = 0; i < 4; ++i) {
+        blurrier[i] = values[i] * clamp(blur.middle + blur.slope * goboNode(i, spread) - Real(level), Real(0.0), Real(1.0));
+    }
+    Real4 ofSharper = goboCoefficients(values - blurrier, spread);
+    Real4 ofBlurrier = goboCoefficients(blurrier, spread);
+    Real3 sum;
+    for (int channel = 0; channel < 3; ++channel) {
+        Real layer = firstLayer + Real(channel);
+        sum[channel] = dot(ofSharper, goboMoments(line, layer, level)) + dot(ofBlurrier, goboMoments(line, layer, level + 1));
+        if (!coloured) return Real3(sum[0]);
+    }
+    return sum;
 }

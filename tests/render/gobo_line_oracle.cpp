@@ -84,9 +84,15 @@ double GoboRay::withoutGobo() const {
 }
 
 double GoboRay::through(const std::vector<std::uint8_t>& rgba, int channel) const {
+    return through(rgba, channel, [](const glm::dvec2&) { return 1.0; });
+}
+
+double GoboRay::through(const std::vector<std::uint8_t>& rgba, int channel,
+                        const std::function<double(const glm::dvec2&)>& weight) const {
     const int size = static_cast<int>(std::lround(std::sqrt(static_cast<double>(rgba.size()) / 4.0)));
     double sum = 0.0;
-    for (const Sample& sample : samples_) sum += sample.light * bilinear(rgba, size, channel, sample.onGobo);
+    for (const Sample& sample : samples_)
+        sum += sample.light * bilinear(rgba, size, channel, sample.onGobo) * weight(sample.onGobo);
     return sum;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -36,6 +37,10 @@ class GoboRay {
 
     /// The same through one channel of a square RGBA picture whose inscribed circle is the field.
     double through(const std::vector<std::uint8_t>& rgba, int channel) const;
+
+    /// The same with weights of the places on the gobo (the unit disc is the field, y upwards).
+    double through(const std::vector<std::uint8_t>& rgba, int channel,
+                   const std::function<double(const glm::dvec2&)>& weight) const;
 
     double fromM() const { return fromM_; }
     double toM() const { return toM_; }

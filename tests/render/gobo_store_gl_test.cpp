@@ -142,19 +142,19 @@ TEST_F(GoboStoreGl, ShadersSeeWhatTheFormulasSee) {
     program.set("layer", static_cast<float>(slots[1].firstLayer));
     program.set("goboTables", 0);
     render::gl::bindTexture(0, GL_TEXTURE_2D_ARRAY, store_.tableTexture());
-    for (const float blurLevel : {0.0f, 0.5f, 1.0f, 2.25f, 3.0f, 4.75f, 6.0f, 7.0f, 11.0f}) {
-        program.set("blurLevel", blurLevel);
+    for (int level = 0; level < formulas.GOBO_TABLE_LEVELS; ++level) {
+        program.set("level", level);
         glDrawArrays(GL_TRIANGLES, 0, 3);
         std::vector<glm::vec4> drawn(std::size_t{kSize} * kSize);
         glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_FLOAT, drawn.data());
         for (int i = 0; i < kSize * kSize; ++i) {
             const float turn = (static_cast<float>(i % kSize) + 0.5f) / kSize;
             const float distance = (static_cast<float>(i / kSize) + 0.5f) / kSize;
-            const glm::vec4 expected = formulas.goboMoments({turn, distance, {}, 0.0f}, 0.0f, blurLevel);
+            const glm::vec4 expected = formulas.goboMoments({turn, distance, {}, 0.0f}, 0.0f, level);
             for (int k = 0; k < 4; ++k) {
                 // Texture units blend in steps of 1/256.
                 ASSERT_NEAR(drawn[static_cast<std::size_t>(i)][k], expected[k], 4e-3f)
-                    << "level " << blurLevel << ", turn " << turn << ", distance " << distance;
+                    << "level " << level << ", turn " << turn << ", distance " << distance;
             }
         }
     }

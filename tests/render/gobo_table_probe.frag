@@ -14,7 +14,7 @@ vec4 goboTableTexel(vec2 place, float layer);
 uniform sampler2DArray goboTables;
 uniform vec2 viewportPx;
 uniform float layer;
-uniform float blurLevel;
+uniform int level;
 
 out vec4 moments;
 
@@ -24,5 +24,5 @@ vec4 goboTableTexel(vec2 place, float at) {
 
 void main() {
     vec2 place = gl_FragCoord.xy / viewportPx;
-    moments = goboMoments(GoboLine(place.x, place.y, vec2(1.0, 0.0), 0.0), layer, blurLevel);
+    moments = goboMoments(GoboLine(place.x, place.y, vec2(1.0, 0.0), 0.0), layer, level);
 }

@@ -217,7 +217,7 @@ TEST(GoboTable, AWhiteGoboIsTheChordOfTheProfile) {
                     expected += 2.0 / kSteps * profile *
                                 glm::dvec4(1.0, xi, 1.5 * xi * xi - 0.5, 2.5 * xi * xi * xi - 1.5 * xi);
                 }
-                const glm::dvec4 moments = formulas.goboMoments({turn, distance, {}, 0.0}, 0.0, 0.0);
+                const glm::dvec4 moments = formulas.goboMoments({turn, distance, {}, 0.0}, 0.0, 0);
                 for (int k = 0; k < 4; ++k) {
                     EXPECT_NEAR(moments[k], expected[k], 0.01)
                         << "moment " << k << ", distance " << distance << ", exponent " << lamp.exponent;
@@ -308,8 +308,8 @@ TEST(GoboTable, OddMomentsSayWhichHalfIsOpen) {
         buildGoboTable(drawnGobo([](double x, double) { return x > 0.0; }), goboProfile(flatLamp(12.0)));
     render::glsl::GoboTableFormulas<double> formulas{&table};
     // A line's direction is its normal turned by a quarter counter-clockwise: +X for a normal along -Y.
-    const glm::dvec4 rightwards = formulas.goboMoments({0.75, 0.0, {}, 0.0}, 0.0, 0.0);
-    const glm::dvec4 leftwards = formulas.goboMoments({0.25, 0.0, {}, 0.0}, 0.0, 0.0);
+    const glm::dvec4 rightwards = formulas.goboMoments({0.75, 0.0, {}, 0.0}, 0.0, 0);
+    const glm::dvec4 leftwards = formulas.goboMoments({0.25, 0.0, {}, 0.0}, 0.0, 0);
     // Integrals of P_0..P_3 over 0..1; the holder takes some thousandths.
     const glm::dvec4 expected(1.0, 0.5, 0.0, -0.125);
     for (int k = 0; k < 4; ++k) {
@@ -317,9 +317,9 @@ TEST(GoboTable, OddMomentsSayWhichHalfIsOpen) {
         EXPECT_NEAR(leftwards[k], k % 2 == 0 ? expected[k] : -expected[k], 0.006);
     }
     // Off the middle: the line above it along +X, and the one to the right of it, upwards.
-    EXPECT_NEAR(formulas.goboMoments({0.25, 0.5, {}, 0.0}, 0.0, 0.0).y, -0.5, 0.006);
-    EXPECT_NEAR(formulas.goboMoments({0.0, 0.5, {}, 0.0}, 0.0, 0.0).x, 2.0, 0.012);
-    EXPECT_NEAR(formulas.goboMoments({0.5, 0.5, {}, 0.0}, 0.0, 0.0).x, 0.0, 0.01);
+    EXPECT_NEAR(formulas.goboMoments({0.25, 0.5, {}, 0.0}, 0.0, 0).y, -0.5, 0.006);
+    EXPECT_NEAR(formulas.goboMoments({0.0, 0.5, {}, 0.0}, 0.0, 0).x, 2.0, 0.012);
+    EXPECT_NEAR(formulas.goboMoments({0.5, 0.5, {}, 0.0}, 0.0, 0).x, 0.0, 0.01);
 }
 
 TEST(GoboTable, AColouredGoboHasALayerForEachColour) {
@@ -344,6 +344,36 @@ TEST(GoboTable, AColouredGoboHasALayerForEachColour) {
     }
     Rays rays(flatLamp(12.0), 300);
     for (int c = 0; c < 3; ++c) EXPECT_LT(errorOf(rays, table, 0.0, mixed.levels[0], c), kMaxError);
+}
+
+// A blur that grows from left to right over the gobo by a mip level: to the texture unit each place is a mix
+// of two levels.
+TEST(GoboTable, TheBlurMayChangeAlongALine) {
+    const GoboLamp lamp = softLamp(12.0, 0.9);
+    Rays rays(lamp, 500);
+    const auto shareOfBlurrier = [](const glm::dvec2& q) { return 0.5 + 0.4 * q.x; };
+    for (const NamedGobo& gobo : drawnGobos()) {
+        const GoboTable table = buildGoboTable(gobo.picture, goboProfile(lamp));
+        double squares = 0.0;
+        for (std::size_t i = 0; i < rays.direct.size(); ++i) {
+            View& view = rays.views[i];
+            const GoboRay& direct = rays.direct[i];
+            const double turn = 2.0 * kPi * view.line.turn;
+            const double radius =
+                static_cast<double>(view.goboTableRadius(static_cast<float>(lamp.exponent)));
+            const double halfChord = radius * std::sqrt(1.0 - view.line.distance * view.line.distance);
+            const double level = 3.0 + shareOfBlurrier({radius * view.line.distance * std::cos(turn), 0.0});
+            const double drawn = view.through(table, level, -0.4 * halfChord * std::sin(turn)).x;
+            const double expected = direct.through(gobo.picture.levels[3], 0, [&](const glm::dvec2& q) {
+                return 1.0 - shareOfBlurrier(q);
+            }) + direct.through(gobo.picture.levels[4], 0, shareOfBlurrier);
+            squares += std::pow((drawn - expected) / direct.withoutGobo(), 2);
+        }
+        const double error = std::sqrt(squares / static_cast<double>(rays.direct.size()));
+        fmt::print(" {} {:.2f} %", gobo.name, 100.0 * error);
+        EXPECT_LT(error, kMaxError) << gobo.name;
+    }
+    fmt::print("\n");
 }
 
 TEST(GoboTable, BetweenLevelsItIsInBetween) {
@@ -476,9 +506,9 @@ double errorOfGrid(const Rays& rays, const GoboPicture& picture, const GoboLamp&
     const auto moments = render::goboLineMoments(picture, 0, 0, goboProfile(lamp), grid);
     double squares = 0.0;
     for (std::size_t i = 0; i < rays.direct.size(); ++i) {
-        const View& view = rays.views[i];
-        const double drawn =
-            static_cast<double>(glm::dot(view.coefficients, between(moments, grid, view.line)));
+        View view = rays.views[i];
+        const glm::vec4 coefficients = view.goboCoefficients(view.values, view.spread);
+        const auto drawn = static_cast<double>(glm::dot(coefficients, between(moments, grid, view.line)));
         const double error = drawn - rays.direct[i].through(picture.levels[0], 0);
         squares += std::pow(error / rays.direct[i].withoutGobo(), 2);
     }

@@ -32,8 +32,7 @@ class GoboTableView : public render::glsl::GoboTableFormulas<Scalar> {
         typename Base::BeamOptics optics{};
         optics.beamHalfAngle = static_cast<Scalar>(lamp.beamHalfAngleRad);
         optics.exponent = exponent;
-        const Scalar spread = this->goboNodeSpread(exponent);
-        typename Base::Real4 values;
+        spread = this->goboNodeSpread(exponent);
         for (int i = 0; i < 4; ++i) {
             Scalar jacobian;
             const auto here = this->goboLineSample(ray, line, this->goboNode(i, spread), Scalar(0), jacobian);
@@ -42,21 +41,22 @@ class GoboTableView : public render::glsl::GoboTableFormulas<Scalar> {
                         std::exp(-static_cast<Scalar>(haze.extinctionPerM) * here.pathM) *
                         this->goboProfileRatio(optics, here, goboTurn) / ray.h;
         }
-        coefficients = this->goboCoefficients(values, spread);
     }
 
-    /// Radiance for a scattering coefficient of 1 /m, in the table's channels.
-    glm::dvec3 through(const render::GoboTable& from, double blurLevel) {
+    /// Radiance for a scattering coefficient of 1 /m, in the table's channels; the gobo is blurred as mip
+    /// level blurLevel + blurSlope xi of its picture.
+    glm::dvec3 through(const render::GoboTable& from, double blurLevel, double blurSlope = 0.0) {
         if (!isCrossing) return glm::dvec3(0.0);
         this->table = &from;
-        return glm::dvec3(this->throughGobo(coefficients, line, Scalar(0), from.layers == 3,
-                                            static_cast<Scalar>(blurLevel)));
+        const typename Base::GoboBlur blur{static_cast<Scalar>(blurLevel), static_cast<Scalar>(blurSlope)};
+        return glm::dvec3(this->throughGobo(values, spread, line, Scalar(0), from.layers == 3, blur));
     }
 
     typename Base::LampRay ray;
     typename Base::GoboLine line;
     typename Base::Real2 goboTurn;
-    typename Base::Real4 coefficients;
+    typename Base::Real4 values{};
+    Scalar spread{};
     bool isCrossing = false;
 };
 
