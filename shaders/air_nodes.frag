@@ -1,8 +1,7 @@
 #version 410 core
-// Judges the coarse grid of light in the air: may a pixel between its nodes be interpolated?
-//     rgb    the node's light
-//     alpha  estimated error of interpolating next to this node over what is allowed; negative where a surface's edge runs through the
-//            cell whose first corner this node is
+// Judges the coarse grid of light in the air: may a pixel in the cell between four nodes be interpolated?
+//     rgb    the light of the node that is the cell's first corner
+//     alpha  0 if so, 1 if not
 uniform sampler2D nodes;
 uniform sampler2D distanceBuffer;
 uniform int nodeStep;
@@ -38,17 +37,32 @@ bool edgeInCell(ivec2 pixel) {
     return worst > 0.02 * largest;
 }
 
+// How far a line of four nodes is from a straight one at the inner two.
+float bend(vec3 a, vec3 b, vec3 c, vec3 d) { return brightest(max(abs(a + c - 2.0 * b), abs(b + d - 2.0 * c))); }
+
 void main() {
     ivec2 node = ivec2(gl_FragCoord.xy);
     vec3 here = nodeAt(node);
-    vec3 left = nodeAt(node - ivec2(1, 0));
     vec3 right = nodeAt(node + ivec2(1, 0));
-    vec3 below = nodeAt(node - ivec2(0, 1));
     vec3 above = nodeAt(node + ivec2(0, 1));
-    float around = brightest(max(here, max(max(left, right), max(below, above))));
+    vec3 across = nodeAt(node + ivec2(1, 1));
+    vec3 w0 = nodeAt(node + ivec2(-1, 0));
+    vec3 w1 = nodeAt(node + ivec2(-1, 1));
+    vec3 e0 = nodeAt(node + ivec2(2, 0));
+    vec3 e1 = nodeAt(node + ivec2(2, 1));
+    vec3 s0 = nodeAt(node + ivec2(0, -1));
+    vec3 s1 = nodeAt(node + ivec2(1, -1));
+    vec3 n0 = nodeAt(node + ivec2(0, 2));
+    vec3 n1 = nodeAt(node + ivec2(1, 2));
+    float inCell = brightest(max(max(here, right), max(above, across)));
+    float around = max(inCell, brightest(max(max(max(w0, w1), max(e0, e1)), max(max(s0, s1), max(n0, n1)))));
     // Bilinear interpolation errs by an eighth of the second difference where light is smooth, by up to a half at a kink.
-    float error = 0.25 * max(brightest(abs(left + right - 2.0 * here)), brightest(abs(below + above - 2.0 * here)));
+    float error = 0.25 * max(max(bend(w0, here, right, e0), bend(w1, above, across, e1)), max(bend(s0, here, above, n0), bend(s1, right, across, n1)));
     float mean = brightest(textureLod(nodes, vec2(0.5), 100.0).rgb);
-    float relative = around > 0.0 ? error / (tolerance * max(around, mean)) : 0.0;
-    judged = vec4(here, edgeInCell(node * nodeStep) ? -1.0 - relative : relative);
+    float refined = error > tolerance * max(around, mean) ? 1.0 : 0.0;
+    // See the loop of lit_surface.frag. Where all nodes are dark there may yet be light between bodies.
+    for (float once = 1.0 - refined; once > 0.0; once -= 1.0) {
+        if (edgeInCell(node * nodeStep)) refined = once;
+    }
+    judged = vec4(here, refined);
 }

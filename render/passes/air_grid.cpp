@@ -8,7 +8,6 @@
 #include "render/gl/texture.h"
 
 namespace hazer::render {
-namespace {}  // namespace
 
 AirGrid::AirGrid(const std::filesystem::path& shaderFolder)
     : judge_(shaderFolder, "fullscreen.vert", "air_nodes.frag"),
@@ -25,7 +24,7 @@ void AirGrid::allocate(const Settings& settings, GLuint radiance, int step) {
     nodes_ = gl::makeTexture2d(GL_RGBA32F, count.x, count.y, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1000);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
-    judged_ = gl::makeTexture2d(GL_RGBA32F, count.x, count.y, GL_NEAREST);
+    judged_ = gl::makeTexture2d(GL_RGBA32F, count.x, count.y, GL_LINEAR);
     done_ = gl::makeTexture2d(GL_DEPTH_COMPONENT32F, width_, height_, GL_NEAREST);
     nodeTarget_ = gl::makeFramebufferFor({nodes_.id()});
     judgeTarget_ = gl::makeFramebufferFor({judged_.id()});
@@ -74,7 +73,7 @@ void AirGrid::judge(const LightInputs& in, int step) {
 
 /// Where a beam is too narrow near its lens for the grid, no cell may be interpolated.
 void AirGrid::markLenses(const LightInputs& in, int step) {
-    static constexpr std::array<float, 4> kEdge{0.0f, 0.0f, 0.0f, -2.0f};
+    static constexpr std::array<float, 4> kRefined{0.0f, 0.0f, 0.0f, 1.0f};
     const glm::ivec2 count = nodeCount(in.settings, step);
     glEnable(GL_SCISSOR_TEST);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
@@ -86,12 +85,12 @@ void AirGrid::markLenses(const LightInputs& in, int step) {
             if (!square) continue;
             const glm::dvec2 last(count);
             const double nodePx = step;
-            const glm::ivec2 from(glm::clamp(glm::floor((square->centerPx - square->halfEdgePx) / nodePx),
-                                             glm::dvec2(0.0), last));
+            const glm::ivec2 from(glm::clamp(
+                glm::floor((square->centerPx - square->halfEdgePx) / nodePx) - 1.0, glm::dvec2(0.0), last));
             const glm::ivec2 to(glm::clamp(glm::ceil((square->centerPx + square->halfEdgePx) / nodePx),
                                            glm::dvec2(0.0), last));
             glScissor(from.x, from.y, to.x - from.x, to.y - from.y);
-            glClearBufferfv(GL_COLOR, 0, kEdge.data());
+            glClearBufferfv(GL_COLOR, 0, kRefined.data());
         }
     }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
