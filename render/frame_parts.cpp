@@ -34,7 +34,6 @@ constexpr int kDepth32F = 4;
 constexpr int kDepth16 = 2;
 constexpr int kR32F = 4;
 constexpr int kR16F = 2;
-constexpr int kR8 = 1;
 
 /// One level. A volume counts its slices as layers.
 TextureUse texture(const char* name, int width, int height, int bytesPerTexel, int layers = 1) {
@@ -226,7 +225,10 @@ FramePart noise(const SummaryInputs& in) {
                   : !in.plan.air ? kNoLightInTheAir
                                  : "noise is 0";
     part.features = featureDefines(kFeatureNoise);
-    part.resources.textures = {texture("noise", kNoiseSize, kNoiseSize, kR8, kNoiseSize)};
+    TextureUse volume = texture("noise", kNoiseSize, kNoiseSize, kR32F, kNoiseSize);
+    volume.levels = allMipLevels(kNoiseSize, kNoiseSize);
+    for (std::size_t size = kNoiseSize / 2; size > 0; size /= 2) volume.bytes += size * size * size * kR32F;
+    part.resources.textures = {volume};
     return part;
 }
 

@@ -12,8 +12,8 @@ namespace hazer::render::glsl {
 
 // GLSL's built-ins under their own names.
 using glm::abs, glm::atan, glm::ceil, glm::clamp, glm::cos, glm::cross, glm::dot, glm::exp, glm::exp2,
-    glm::findLSB, glm::inversesqrt, glm::length, glm::max, glm::min, glm::normalize, glm::pow, glm::sin,
-    glm::sqrt;
+    glm::findLSB, glm::floor, glm::inversesqrt, glm::length, glm::log2, glm::max, glm::min, glm::normalize,
+    glm::pow, glm::sin, glm::sqrt;
 
 /// What the formulas ask of whoever includes them, where nothing stands in the light's way and the haze is
 /// even. Derive from it to say otherwise.
@@ -27,6 +27,7 @@ struct EmptyAir {
     bool placeSeesLamp(const Vector&) const { return true; }
     bool seesLamp(const Vector&) const { return true; }
     Scalar densityAt(Scalar) const { return 1; }
+    Scalar densityAround(Scalar, Scalar) const { return 1; }
 };
 
 /// The shared formulas as members, in float or double. Members, so that what a program does not use costs
@@ -37,13 +38,14 @@ struct Formulas : Surroundings {
     using Real2 = glm::vec<2, Scalar>;
     using Real3 = glm::vec<3, Scalar>;
     using Real4 = glm::vec<4, Scalar>;
-    using Surroundings::densityAt, Surroundings::hasProfileRule, Surroundings::placeSeesLamp,
-        Surroundings::placeWeight, Surroundings::profileRule, Surroundings::seesLamp,
-        Surroundings::shadePlace;
+    using Surroundings::densityAt, Surroundings::densityAround, Surroundings::hasProfileRule,
+        Surroundings::placeSeesLamp, Surroundings::placeWeight, Surroundings::profileRule,
+        Surroundings::seesLamp, Surroundings::shadePlace;
     static constexpr Real PI = Real(3.14159265358979323846);
 #include "shaders/include/beam_profile.glsl"
 #include "shaders/include/beam_ray.glsl"
 #include "shaders/include/gauss_legendre.glsl"
+#include "shaders/include/haze_swirls.glsl"
 #include "shaders/include/phase.glsl"
 #include "shaders/include/shadow_frustum.glsl"
 #include "shaders/include/surface_light.glsl"

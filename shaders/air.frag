@@ -50,6 +50,7 @@ bool seesLamp(vec3 pointM) { return true; }
 #include "include/haze_noise.glsl"
 #else
 float densityAt(float t) { return 1.0; }
+float densityAround(float t, float apartM) { return 1.0; }
 #endif
 
 bool hasProfileRule() { return lens.y >= 0.0; }

@@ -4,13 +4,11 @@
 #include "render/camera.h"
 #include "render/gl/inventory.h"
 #include "render/gl/texture.h"
+#include "render/haze_swirls.h"
 #include "render/noise_volume.h"
 
 namespace hazer::render {
 namespace {
-
-/// How fast the waves that stir the smoke go round; no two in step.
-constexpr glm::dvec3 kStirHz(0.037, 0.029, 0.043);
 
 /// The thesis' number of samples.
 constexpr int kUniformSamples = 110;
@@ -43,27 +41,36 @@ void AirPass::setHaze(const gl::Program& program, const LightInputs& in) {
     program.set("uniformRangeM", kUniformRangeM);
 }
 
+void AirPass::makeNoise(std::uint32_t seed) {
+    if (noise_.id() != 0 && seed == noiseSeed_) return;
+    noiseSeed_ = seed;
+    noise_ = gl::makeTexture();
+    gl::bindTexture(kNoiseUnit, GL_TEXTURE_3D, noise_.id());
+    const auto levels = noiseLevels(makeNoiseVolume(kNoiseSize, seed), kNoiseSize);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
+    // Eight bits would show as bands. Floats take a sixth off the time of software renderers, next to 16
+    // bits.
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const GLsizei size = kNoiseSize >> i;
+        glTexImage3D(GL_TEXTURE_3D, static_cast<GLint>(i), GL_R32F, size, size, size, 0, GL_RED,
+                     GL_UNSIGNED_SHORT, levels[i].data());
+    }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
 void AirPass::setNoise(const gl::Program& program, const LightInputs& in) {
     const HazeNoise& noise = in.scene.haze.noise;
-    if (noise_.id() == 0 || noise.seed != noiseSeed_) {
-        noiseSeed_ = noise.seed;
-        noise_ = gl::makeTexture();
-        const std::vector<std::uint8_t> bytes = makeNoiseVolume(kNoiseSize, noise.seed);
-        gl::bindTexture(kNoiseUnit, GL_TEXTURE_3D, noise_.id());
-        glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, kNoiseSize, kNoiseSize, kNoiseSize, 0, GL_RED, GL_UNSIGNED_BYTE,
-                     bytes.data());
-        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    }
+    makeNoise(noise.seed);
     gl::bindTexture(kNoiseUnit, GL_TEXTURE_3D, noise_.id());
-    const double tileM = kNoiseCells * static_cast<double>(noise.scaleM);
-    const auto fraction = [](const glm::dvec3& v) { return glm::vec3(v - glm::floor(v)); };
-    program.set("worldFromView", glm::mat3(worldFromView(in.camera)));
+    const HazeSwirls swirls = hazeSwirls(noise, in.camera.positionM, in.scene.timeS);
     program.set("noiseVolume", kNoiseUnit);
-    program.set("noiseOrigin",
-                fraction((in.camera.positionM - glm::dvec3(noise.windMps) * in.scene.timeS) / tileM));
-    program.set("noisePerM", static_cast<float>(1.0 / tileM));
-    program.set("noiseWave", fraction(kStirHz * (static_cast<double>(noise.turbulence) * in.scene.timeS)));
+    program.set("noiseFromView", glm::mat3(swirls.noiseFromWorld * worldFromView(in.camera)));
+    program.set("noiseOrigin", swirls.origin);
+    program.set("noisePerM", static_cast<float>(1.0 / swirls.periodM));
+    program.set("noiseTexelsPerM", static_cast<float>(kNoiseSize / swirls.periodM));
+    program.set("noiseWave", swirls.wave);
     program.set("noiseAmount", noise.amount);
 }
 

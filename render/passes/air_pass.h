@@ -30,6 +30,7 @@ class AirPass {
                   float countedAs);
     const gl::Program& variant(LightFeatures features);
     void setHaze(const gl::Program& program, const LightInputs& in);
+    void makeNoise(std::uint32_t seed);
     void setNoise(const gl::Program& program, const LightInputs& in);
 
     /// The beams with the rows of their profiles' rules.

@@ -1,21 +1,25 @@
 // Uneven haze. Compiled as GLSL and as C++.
 //
 // Whoever includes this provides
-//     Real densityAt(Real t);   haze density relative to the mean, t [m] from the eye
+//     Real densityAround(Real t, Real apartM);   haze density relative to the mean, t [m] from the eye, for looks apartM apart
 // Needs beam_integral.glsl.
 
 // Mean density along an arc, weighted by the light that comes from there: what even haze gives is multiplied by it (ratio estimator). Exact for
 // even haze, and an error only in proportion to how uneven it is. `shift` in 0..1 places the nodes within their intervals.
 Real densityOf(LampRay ray, BeamOptics optics, HazeMedium haze, Arc arc, int nodes, Real shift) {
     Real apart = Real(1.0) / Real(nodes);
+    Real apartPerH = apart / ray.h;
     Real sum = Real(0.0);
     Real weights = Real(0.0);
     int node = 0;
     do {
         Real x = (Real(node) + shift) * apart;
         Real jacobian;
-        Real weight = beamKernel(arcSample(ray, arc, x, optics.apexToLensM, jacobian), optics, haze) * jacobian;
-        sum += weight * densityAt(ray.tClosest + arcPlace(ray, arc, x));
+        LampSample here = arcSample(ray, arc, x, optics.apexToLensM, jacobian);
+        Real weight = beamKernel(here, optics, haze) * jacobian;
+        // ds = r^2 / h du, s = r sin u
+        Real apartM = here.distanceM * here.distanceM * jacobian * apartPerH;
+        sum += weight * densityAround(ray.tClosest - here.distanceM * here.cosScatter, apartM);
         weights += weight;
         ++node;
     } while (node < nodes);

@@ -108,12 +108,14 @@ vec3 goboCells(LampRay ray, BeamOptics optics, GoboPart part, float shareFrom, f
 // edges. A gobo that lights but a part of the line meets the density of that part. Powers of y come back.
 vec4 densityAlong(LampRay ray, GoboLine line, float xiFrom, float xiTo) {
     vec4 sum = vec4(0.0);
+    float apart = ray.h * line.endTangent * abs(xiTo - xiFrom) / float(noiseNodes);
     int node = 0;
     do {
         float y = 2.0 * (float(node) + 0.5) / float(noiseNodes) - 1.0;
         float tangent = mix(xiFrom, xiTo, 0.5 + 0.5 * y) * line.endTangent;
-        float t = ray.tClosest + ray.h * (line.middle.y + line.middle.x * tangent) / (line.middle.x - line.middle.y * tangent);
-        sum += densityAt(t) * vec4(1.0, y, y * y, y * y * y);
+        float perDepth = 1.0 / (line.middle.x - line.middle.y * tangent);
+        float t = ray.tClosest + ray.h * (line.middle.y + line.middle.x * tangent) * perDepth;
+        sum += densityAround(t, apart * perDepth * perDepth) * vec4(1.0, y, y * y, y * y * y);
         ++node;
     } while (node < noiseNodes);
     return evenCubic(sum / float(noiseNodes), float(noiseNodes));

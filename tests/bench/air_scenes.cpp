@@ -105,6 +105,13 @@ AirScene noise(AirScene scene) {
     return named(std::move(scene), "noise");
 }
 
+/// As uneven as it gets, in swirls far smaller than what lies between two looks.
+AirScene fineNoise(AirScene scene) {
+    scene.scene.haze.noise.amount = 1.0f;
+    scene.scene.haze.noise.scaleM = 0.2f;
+    return named(std::move(scene), "fine noise");
+}
+
 AirScene thick(AirScene scene) {
     scene.scene.haze.extinctionPerM = 2.5f;
     scene.scene.haze.scatteringPerM = 2.5f;
@@ -143,6 +150,7 @@ std::vector<AirScene> makeAirScenes(render::Renderer& renderer) {
             shadow(soft(base), parts, "soft shadow"),
             shadow(gobo(base, parts), parts, "gobo shadow"),
             noise(base),
+            fineNoise(base),
             named(noise(shadow(gobo(base, parts), parts, "")), "gobo shadow noise"),
             thick(base),
             narrow(base),
