@@ -25,6 +25,7 @@
 #include "render/passes/surface_pass.h"
 #include "render/passes/tone_map_pass.h"
 #include "render/scene_plan.h"
+#include "render/still_surfaces.h"
 #include "render/web_store.h"
 
 namespace hazer::render {
@@ -74,6 +75,8 @@ struct Renderer::Impl {
     void resize(int newWidth, int newHeight);
     void makeBodyTargets(bool forBodies);
     void drawBackground(const Scene& scene);
+    void drawSurfaces(const Scene& scene, const Camera& camera, const ScenePlan& plan);
+    void drawLitSurfaces(const LightInputs& in);
     void drawAir(const LightInputs& in);
     void drawCost(const LightInputs& in);
     void drawToneMap();
@@ -95,6 +98,7 @@ struct Renderer::Impl {
     AirPass air;
     AirGrid airGrid;
     LitSurfacePass litSurfaces;
+    StillSurfaces stillSurfaces;
     LensPass lenses;
     BloomPass bloom;
     DisplayGrid grid;
@@ -147,6 +151,20 @@ void Renderer::Impl::makeBodyTargets(bool forBodies) {
 void Renderer::Impl::drawBackground(const Scene& scene) {
     const glm::vec4 background(scene.backgroundCdPerM2, 1.0f);
     glClearBufferfv(GL_COLOR, 0, &background[0]);
+}
+
+void Renderer::Impl::drawSurfaces(const Scene& scene, const Camera& camera, const ScenePlan& plan) {
+    if (stillSurfaces.isKept()) {
+        stillSurfaces.restore(radianceTarget.id());
+    } else {
+        surfaces.draw(scene, plan.haze.extinctionPerM, camera, meshes);
+    }
+}
+
+void Renderer::Impl::drawLitSurfaces(const LightInputs& in) {
+    if (stillSurfaces.isKept()) return;
+    litSurfaces.draw(in);
+    stillSurfaces.keep(radianceTarget.id());
 }
 
 void Renderer::Impl::drawAir(const LightInputs& in) {
@@ -218,9 +236,8 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
 
     if (!plan.shadowMaps.empty()) r.pass("shadow maps", [&] { r.shadows.draw(scene, plan, r.meshes); });
     glViewport(0, 0, r.width, r.height);
-    if (plan.surfaces) {
-        r.pass("surfaces", [&] { r.surfaces.draw(scene, plan.haze.extinctionPerM, camera, r.meshes); });
-    }
+    r.stillSurfaces.beginFrame(surfaceView(scene, camera, settings, plan));
+    if (plan.surfaces) r.pass("surfaces", [&] { r.drawSurfaces(scene, camera, plan); });
     glBindFramebuffer(GL_FRAMEBUFFER, r.radianceTarget.id());
     if (!plan.surfaces) r.pass("background", [&] { r.drawBackground(scene); });
     const std::vector<GoboTableSlot> goboTables =
@@ -236,7 +253,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
                              r.gobos.tableTexture(),
                              r.shadows.textures(),
                              usesFeature(plan, kFeatureWeb) ? r.webs.texture() : 0};
-    if (!plan.surfaceGroups.empty()) r.pass("lit surfaces", [&] { r.litSurfaces.draw(lights); });
+    if (!plan.surfaceGroups.empty()) r.pass("lit surfaces", [&] { r.drawLitSurfaces(lights); });
     if (!plan.airGroups.empty()) r.pass("beams", [&] { r.drawAir(lights); });
     if (!plan.lenses.empty()) r.pass("lenses", [&] { r.lenses.draw(lights); });
     if (settings.countsIntegrals) r.pass("cost", [&] { r.drawCost(lights); });
@@ -313,6 +330,7 @@ Resources Renderer::resources() const {
     r.air.list(all);
     r.airGrid.list(all);
     r.litSurfaces.list(all);
+    r.stillSurfaces.list(all);
     r.lenses.list(all);
     r.bloom.list(all);
     r.grid.list(all);

@@ -36,12 +36,16 @@ struct Beam {
     WebId web = -1;                ///< Photometric web that replaces the edge's profile; -1: none.
     bool castsShadow = true;
     bool showsLens = true;  ///< The lens itself is drawn.
+
+    bool operator==(const Beam&) const = default;
 };
 
 struct Material {
     Color albedo{0.5f};       ///< Diffuse reflectance 0..1.
     float specular = 0.04f;   ///< Specular reflectance 0..1.
     float shininess = 32.0f;  ///< Blinn-Phong exponent, 1..1000.
+
+    bool operator==(const Material&) const = default;
 };
 
 struct MeshInstance {
@@ -49,6 +53,8 @@ struct MeshInstance {
     glm::dmat4 worldFromMesh{1.0};
     Material material;
     bool castsShadow = true;
+
+    bool operator==(const MeshInstance&) const = default;
 };
 
 /// Two-lobe Henyey-Greenstein: weight * HG(forwardG) + (1 - weight) * HG(backwardG). The default is glycol
@@ -82,6 +88,8 @@ struct Haze {
 struct Ambient {
     Color color{1.0f};
     float illuminanceLx = 0.0f;
+
+    bool operator==(const Ambient&) const = default;
 };
 
 struct Scene {
@@ -98,6 +106,8 @@ struct Camera {
     glm::dvec3 targetM{0.0, 0.0, 1.7};
     glm::dvec3 up{0.0, 0.0, 1.0};
     double verticalFovRad = 0.8;
+
+    bool operator==(const Camera&) const = default;
 };
 
 enum class Integrator : std::uint8_t {
