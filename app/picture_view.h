@@ -7,8 +7,6 @@
 
 namespace hazer::app {
 
-enum class PictureView { kLight, kError, kCost };
-
 /// How far each pixel is from a converged picture of the same size, as a share of the light there (or of a
 /// hundredth of the picture's root mean square, in what is darker than that). The same number in all three
 /// channels.

@@ -17,9 +17,9 @@
 #include "app/film.h"
 #include "app/interrupt.h"
 #include "app/picture_file.h"
-#include "app/picture_view.h"
 #include "app/progress.h"
 #include "app/session.h"
+#include "app/session_view.h"
 #include "render/gl/headless_context.h"
 
 namespace hazer::app {
@@ -91,52 +91,22 @@ void warnIfNothingArrived(const Session& session) {
         session.port());
 }
 
-/// The light of the last frame's scene, drawn again with other settings.
-render::FloatImage drawnWith(Session& session, const render::Settings& settings) {
-    const render::Settings before = std::exchange(session.settings(), settings);
-    session.draw();
-    session.settings() = before;
-    return session.renderer().readRadiance();
-}
-
-/// What the numbers of a view are, and which range its colours cover.
-struct ViewScale {
-    const char* unit;
-    double from;
-    double to;
-};
-
-void writeView(const render::FloatImage& view, const ViewScale& scale, const std::string& file) {
+void writeView(const SessionView& view, const std::string& file) {
     makeFolderOf(file);
     if (std::filesystem::path(file).extension() == ".exr") {
-        writeImage(view, file);
+        writeImage(view.numbers, file);
     } else {
-        writeImage(falseColor(view, scale.from, scale.to), file);
+        writeImage(falseColor(view.numbers, view.from, view.to), file);
     }
-    fmt::print(stderr, "{}: {}; colours from {:g} (dark) to {:g} (bright)\n", scale.unit, viewSummary(view),
-               scale.from, scale.to);
-}
-
-void writeErrorView(Session& session, const std::string& file) {
-    const render::FloatImage picture = session.renderer().readRadiance();
-    render::Settings converged = session.settings();
-    converged.integrator = render::Integrator::kAngle;
-    converged.samples = 1024;
-    writeView(errorView(picture, drawnWith(session, converged)), {"error relative to the light", 1e-4, 1e-1},
-              file);
-}
-
-void writeCostView(Session& session, const std::string& file) {
-    render::Settings counting = session.settings();
-    counting.countsIntegrals = true;
-    writeView(drawnWith(session, counting), {"integrals of a beam per pixel", 0.05, 50.0}, file);
+    fmt::print(stderr, "{}: {}; colours from {:g} (dark) to {:g} (bright)\n", view.unit,
+               viewSummary(view.numbers), view.from, view.to);
 }
 
 void writeFrame(Session& session, const RenderOptions& options, const std::string& file) {
     if (options.view == "error") {
-        writeErrorView(session, file);
+        writeView(drawErrorView(session), file);
     } else if (options.view == "cost") {
-        writeCostView(session, file);
+        writeView(drawCostView(session), file);
     } else {
         writePicture(session.renderer(), file);
     }

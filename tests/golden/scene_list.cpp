@@ -11,6 +11,7 @@
 #include "app/demo_programme.h"
 #include "app/paths.h"
 #include "app/session.h"
+#include "app/session_view.h"
 #include "app/show.h"
 #include "protocol/dmx.h"
 
@@ -47,7 +48,8 @@ GoldenScene sceneOf(const json& entry, const json& tolerances) {
     GoldenScene scene;
     scene.name = entry.at("name");
     scene.what = entry.at("what");
-    scene.show = entry.at("show");
+    scene.show = entry.contains("own_show") ? goldenFolder() / "shows" / entry.at("own_show")
+                                            : app::showFolder() / entry.at("show");
     if (entry.at("camera").is_string()) {
         scene.cameraName = entry.at("camera");
     } else {
@@ -56,6 +58,8 @@ GoldenScene sceneOf(const json& entry, const json& tolerances) {
     scene.set = entry.value("set", scene.set);
     scene.demoProgramme = entry.value("demo_programme", scene.demoProgramme);
     scene.timeS = entry.value("time", scene.timeS);
+    scene.view = entry.value("view", scene.view);
+    scene.maxError = entry.value("max_error", scene.maxError);
     scene.radiance = toleranceOf(tolerances.at("radiance"));
     scene.display = toleranceOf(tolerances.at("display"));
     return scene;
@@ -89,6 +93,10 @@ void cutLenses(render::FloatImage& image) {
     }
 }
 
+GoldenPictures picturesOf(const app::SessionView& view) {
+    return {view.numbers, app::falseColor(view.numbers, view.from, view.to)};
+}
+
 }  // namespace
 
 std::vector<GoldenScene> loadScenes() {
@@ -102,7 +110,7 @@ std::vector<GoldenScene> loadScenes() {
 }
 
 GoldenPictures drawScene(const GoldenScene& scene) {
-    const app::Show show = app::loadShow(app::showFolder() / scene.show);
+    const app::Show show = app::loadShow(scene.show);
     app::Session session(show, {});
     if (scene.demoProgramme) playDemo(scene.timeS, session.patch());
     holdAll(scene, session.patch());
@@ -111,7 +119,10 @@ GoldenPictures drawScene(const GoldenScene& scene) {
     session.camera() = scene.camera ? *scene.camera : show.camera(scene.cameraName).camera;
     session.settings().width = scene.width;
     session.settings().height = scene.height;
+    session.settings().maxError = scene.maxError;
     session.draw();
+    if (scene.view == "error") return picturesOf(app::drawErrorView(session));
+    if (scene.view == "cost") return picturesOf(app::drawCostView(session));
     GoldenPictures pictures{session.renderer().readRadiance(), session.renderer().readDisplay()};
     cutLenses(pictures.radiance);
     return pictures;

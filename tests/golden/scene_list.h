@@ -15,10 +15,10 @@ namespace hazer::test {
 
 /// One entry of scenes.json.
 struct GoldenScene {
-    std::string name;        ///< Stem of the reference files.
-    std::string what;        ///< What a person should see in the picture.
-    std::string show;        ///< File in app/shows.
-    std::string cameraName;  ///< A camera of the show; empty: `camera`.
+    std::string name;            ///< Stem of the reference files.
+    std::string what;            ///< What a person should see in the picture.
+    std::filesystem::path show;  ///< In app/shows (`show`), or in tests/golden/shows (`own_show`).
+    std::string cameraName;      ///< A camera of the show; empty: `camera`.
     std::optional<render::Camera> camera;
     int width = 256;
     int height = 144;
@@ -26,13 +26,15 @@ struct GoldenScene {
     std::map<std::string, std::map<std::string, double>> set;
     bool demoProgramme = false;  ///< The lights do what the demo programme asks for at `timeS`.
     double timeS = 0.0;          ///< Moves the noise.
-    Tolerance radiance;          ///< In cd/m^2.
+    std::string view = "light";  ///< Or "error" or "cost", as in `hazer render --view`.
+    double maxError = 0.0;       ///< As in render::Settings.
+    Tolerance radiance;          ///< In cd/m^2, or what the view is in.
     Tolerance display;           ///< In steps of 1/255.
 };
 
 /// The two pictures of a scene.
 struct GoldenPictures {
-    render::FloatImage radiance;  ///< cd/m^2, cut at kBrightestCdPerM2.
+    render::FloatImage radiance;  ///< cd/m^2, cut at kBrightestCdPerM2, or the numbers of a view.
     render::ByteImage display;
 };
 
