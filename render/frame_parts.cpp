@@ -16,6 +16,7 @@
 #include "render/passes/bloom_pass.h"
 #include "render/passes/display_grid.h"
 #include "render/passes/surface_pass.h"
+#include "render/passes/texel_sum.h"
 #include "render/profile_rule.h"
 #include "render/shadow_projection.h"
 
@@ -192,13 +193,15 @@ FramePart airGrid(const SummaryInputs& in) {
     FramePart part = named("coarse grid of the air", in.plan.air && step > 1);
     part.reason =
         part.needed ? fmt::format("every {}th pixel of the air is integrated first", step) : whyNoGrid(in);
-    part.resources.shaders = {"air_nodes.frag", "air_between.frag"};
+    part.resources.shaders = {"air_nodes.frag", "air_between.frag", "sum_texels.frag"};
     if (step < 2) return part;
     const glm::ivec2 nodes = nodeCount(in.settings, step);
-    part.resources.textures = {
-        withMipLevels(texture("grid nodes", nodes.x, nodes.y, kRgba32F), allMipLevels(nodes.x, nodes.y)),
-        texture("judged grid nodes", nodes.x, nodes.y, kRgba32F),
-        texture("grid mask", in.settings.width, in.settings.height, kDepth32F)};
+    part.resources.textures = {texture("grid nodes", nodes.x, nodes.y, kRgba32F),
+                               texture("judged grid nodes", nodes.x, nodes.y, kRgba32F),
+                               texture("judged grid mask", nodes.x, nodes.y, kDepth16),
+                               texture("grid mask", in.settings.width, in.settings.height, kDepth16)};
+    for (const glm::ivec2& size : texelSumSizes(nodes))
+        part.resources.textures.push_back(texture("grid sums", size.x, size.y, kRgba32F));
     return part;
 }
 

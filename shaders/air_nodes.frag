@@ -1,8 +1,9 @@
 #version 410 core
 // Judges the coarse grid of light in the air: may a pixel in the cell between four nodes be interpolated?
 //     rgb    the light of the node that is the cell's first corner
-//     alpha  0 if so, 1 if not
+//     alpha  1 if so, 0 if not
 uniform sampler2D nodes;
+uniform sampler2D nodeSum;  // over all nodes
 uniform sampler2D distanceBuffer;
 uniform int nodeStep;
 uniform float tolerance;  // allowed error relative to the light around, or to the picture's mean if that is more
@@ -58,11 +59,12 @@ void main() {
     float around = max(inCell, brightest(max(max(max(w0, w1), max(e0, e1)), max(max(s0, s1), max(n0, n1)))));
     // Bilinear interpolation errs by an eighth of the second difference where light is smooth, by up to a half at a kink.
     float error = 0.25 * max(max(bend(w0, here, right, e0), bend(w1, above, across, e1)), max(bend(s0, here, above, n0), bend(s1, right, across, n1)));
-    float mean = brightest(textureLod(nodes, vec2(0.5), 100.0).rgb);
-    float refined = error > tolerance * max(around, mean) ? 1.0 : 0.0;
+    ivec2 count = textureSize(nodes, 0);
+    float mean = brightest(texelFetch(nodeSum, ivec2(0), 0).rgb) / float(count.x * count.y);
+    float smoothly = error > tolerance * max(around, mean) ? 0.0 : 1.0;
     // See the loop of lit_surface.frag. Where all nodes are dark there may yet be light between bodies.
-    for (float once = 1.0 - refined; once > 0.0; once -= 1.0) {
-        if (edgeInCell(node * nodeStep)) refined = once;
+    for (float once = smoothly; once > 0.0; once -= 1.0) {
+        if (edgeInCell(node * nodeStep)) smoothly -= once;
     }
-    judged = vec4(here, refined);
+    judged = vec4(here, smoothly);
 }

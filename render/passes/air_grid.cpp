@@ -10,8 +10,9 @@
 namespace hazer::render {
 
 AirGrid::AirGrid(const std::filesystem::path& shaderFolder)
-    : judge_(shaderFolder, "fullscreen.vert", "air_nodes.frag"),
-      interpolate_(shaderFolder, "beam.vert", "air_between.frag") {}
+    : judge_(shaderFolder, "beam.vert", "air_nodes.frag"),
+      interpolate_(shaderFolder, "beam.vert", "air_between.frag"),
+      nodeSum_(shaderFolder) {}
 
 void AirGrid::allocate(const Settings& settings, GLuint radiance, int step) {
     if (settings.width == width_ && settings.height == height_ && radiance == radiance_ && step == step_)
@@ -22,12 +23,12 @@ void AirGrid::allocate(const Settings& settings, GLuint radiance, int step) {
     step_ = step;
     const glm::ivec2 count = nodeCount(settings, step);
     nodes_ = gl::makeTexture2d(GL_RGBA32F, count.x, count.y, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1000);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    nodeSum_.resize(count);
     judged_ = gl::makeTexture2d(GL_RGBA32F, count.x, count.y, GL_LINEAR);
-    done_ = gl::makeTexture2d(GL_DEPTH_COMPONENT32F, width_, height_, GL_NEAREST);
+    done_ = gl::makeTexture2d(GL_DEPTH_COMPONENT16, width_, height_, GL_NEAREST);
     nodeTarget_ = gl::makeFramebufferFor({nodes_.id()});
-    judgeTarget_ = gl::makeFramebufferFor({judged_.id()});
+    seen_ = gl::makeTexture2d(GL_DEPTH_COMPONENT16, count.x, count.y, GL_NEAREST);
+    judgeTarget_ = gl::makeFramebufferFor({judged_.id()}, seen_.id());
     pictureTarget_ = gl::makeFramebufferFor({radiance}, done_.id());
 }
 
@@ -56,24 +57,43 @@ void AirGrid::drawNodes(AirPass& air, LightInputs in, int step) {
     air.draw(in, wide_);
 }
 
-void AirGrid::judge(const LightInputs& in, int step) {
+/// Draws the beams' hulls, but each texel once: every fragment has the same depth, whatever its shape, so
+/// that the depth buffer is a mask.
+void AirGrid::beginMask() {
+    static constexpr float kToDo = 1.0f;
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glClearBufferfv(GL_DEPTH, 0, &kToDo);
+    glDepthRange(0.0, 0.0);
+}
+
+/// Cells that no hull is drawn on stay as they are: not to be interpolated.
+void AirGrid::judge(AirPass& air, LightInputs in, int step) {
+    static constexpr std::array<float, 4> kRefined{};
+    const glm::ivec2 count = nodeCount(in.settings, step);
+    nodeSum_.draw(nodes_.id());
+    glViewport(0, 0, count.x, count.y);
     glBindFramebuffer(GL_FRAMEBUFFER, judgeTarget_.id());
+    glClearBufferfv(GL_COLOR, 0, kRefined.data());
+    beginMask();
     const gl::Program& judge = judge_.get();
     judge.use();
-    gl::bindTexture(0, GL_TEXTURE_2D, nodes_.id());
-    glGenerateMipmap(GL_TEXTURE_2D);
-    gl::bindTexture(1, GL_TEXTURE_2D, in.surfaces.distance());
-    judge.set("nodes", 0);
-    judge.set("distanceBuffer", 1);
+    in.pixelStep = step;
+    setLightUniforms(judge, in);
+    gl::bindTexture(kNodeUnit, GL_TEXTURE_2D, nodes_.id());
+    gl::bindTexture(kNodeSumUnit, GL_TEXTURE_2D, nodeSum_.texture());
+    judge.set("nodes", kNodeUnit);
+    judge.set("nodeSum", kNodeSumUnit);
     judge.set("nodeStep", step);
     judge.set("tolerance", static_cast<float>(airQuality(in.settings).gridTolerance));
-    glBindVertexArray(noVertices_.id());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    air.drawHulls(in, wide_);
+    glDepthRange(0.0, 1.0);
+    glDisable(GL_DEPTH_TEST);
 }
 
 /// Where a beam is too narrow near its lens for the grid, no cell may be interpolated.
 void AirGrid::markLenses(const LightInputs& in, int step) {
-    static constexpr std::array<float, 4> kRefined{0.0f, 0.0f, 0.0f, 1.0f};
+    static constexpr std::array<float, 4> kRefined{};
     const glm::ivec2 count = nodeCount(in.settings, step);
     glEnable(GL_SCISSOR_TEST);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
@@ -98,15 +118,9 @@ void AirGrid::markLenses(const LightInputs& in, int step) {
 }
 
 void AirGrid::interpolate(AirPass& air, const LightInputs& in, int step) {
-    static constexpr float kToDo = 1.0f;
     glBindFramebuffer(GL_FRAMEBUFFER, pictureTarget_.id());
     glViewport(0, 0, width_, height_);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glClearBufferfv(GL_DEPTH, 0, &kToDo);
-    // Every fragment has one depth, whatever its shape: the depth buffer is a mask here. Where beams overlap,
-    // the first one's hull does it for all.
-    glDepthRange(0.0, 0.0);
+    beginMask();
     const gl::Program& interpolate = interpolate_.get();
     interpolate.use();
     setLightUniforms(interpolate, in);
@@ -147,7 +161,7 @@ void AirGrid::draw(AirPass& air, const LightInputs& in, GLuint radiance, int ste
     const glm::ivec2 count = nodeCount(in.settings, step);
     glViewport(0, 0, count.x, count.y);
     drawNodes(air, in, step);
-    judge(in, step);
+    judge(air, in, step);
     markLenses(in, step);
     interpolate(air, in, step);
     refine(air, in);
@@ -156,8 +170,10 @@ void AirGrid::draw(AirPass& air, const LightInputs& in, GLuint radiance, int ste
 void AirGrid::list(Resources& resources) const {
     gl::listProgram(resources, judge_);
     gl::listProgram(resources, interpolate_);
+    nodeSum_.list(resources);
     gl::listTexture(resources, "grid nodes", GL_TEXTURE_2D, nodes_);
     gl::listTexture(resources, "judged grid nodes", GL_TEXTURE_2D, judged_);
+    gl::listTexture(resources, "judged grid mask", GL_TEXTURE_2D, seen_);
     gl::listTexture(resources, "grid mask", GL_TEXTURE_2D, done_);
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "render/passes/air_pass.h"
+#include "render/passes/texel_sum.h"
 
 namespace hazer::render {
 
@@ -27,7 +28,8 @@ class AirGrid {
     void allocate(const Settings& settings, GLuint radiance, int step);
     void splitBeams(const LightInputs& in, int step);
     void drawNodes(AirPass& air, LightInputs in, int step);
-    void judge(const LightInputs& in, int step);
+    static void beginMask();
+    void judge(AirPass& air, LightInputs in, int step);
     void markLenses(const LightInputs& in, int step);
     void interpolate(AirPass& air, const LightInputs& in, int step);
     void refine(AirPass& air, const LightInputs& in);
@@ -36,8 +38,9 @@ class AirGrid {
     std::vector<BeamGroup> thin_;  ///< The others; these are integrated at every pixel.
     gl::LazyProgram judge_;
     gl::LazyProgram interpolate_;
-    gl::VertexArray noVertices_ = gl::makeVertexArray();
+    TexelSum nodeSum_;
     gl::Texture nodes_, judged_;
+    gl::Texture seen_;  ///< Depth: 0 where a node has been judged.
     gl::Texture done_;  ///< Depth: 0 where a pixel has its light, 1 where it needs the integral.
     gl::Framebuffer nodeTarget_, judgeTarget_, pictureTarget_;
     GLuint radiance_ = 0;

@@ -43,6 +43,7 @@ enum LightTextureUnit : int {
     kShadowFacesUnit,
     kNoiseUnit,
     kNodeUnit,
+    kNodeSumUnit,
     kWebUnit,
     kGoboTableUnit,
     kProfileUnit

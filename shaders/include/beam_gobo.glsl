@@ -145,7 +145,7 @@ GoboPart goboPart(LampRay ray, BeamOptics optics, HazeMedium haze, GoboLine line
     part.beamOverField = optics.beamHalfAngle / atan(1.0, length(gobo.yz));
     // Cells are as long as those of a chord through the middle.
     float length = 0.5 * abs(part.xiTo - part.xiFrom) * sqrt((1.0 - line.distance) * (1.0 + line.distance));
-    part.cells = clamp(int(ceil(float(cells) * length)), 4, cells);
+    part.cells = clamp(int(ceil(float(cells) * length * (whole ? 0.5 : 1.0))), 4, cells);
     float cellTexels = goboTexels(abs((part.xiTo - part.xiFrom) * line.endTangent)) / float(part.cells);
     part.cellLevel = log2(CELL_BLUR * max(cellTexels, 1.0));
     return part;
