@@ -9,20 +9,27 @@
 namespace hazer::render {
 namespace {
 
-constexpr int kHullCorners = 12;
+/// Six: where the hull's triangles meet, a processor that draws blocks of pixels draws them twice; with fewer
+/// corners the prism is so much wider than the cone.
+constexpr int kHullCorners = 6;
+constexpr int kLensCorners = 12;
 constexpr double kPi = 3.14159265358979323846;
 /// How far a beam is followed [m]; the haze has long swallowed it.
 constexpr float kBeamRangeM = 1000.0f;
 
-/// Two rings of corners (see beam.vert); the first ring alone is the lens.
+void addRing(int count, int end, std::vector<glm::vec3>& corners) {
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2.0 * kPi * i / count;
+        corners.emplace_back(std::cos(angle), std::sin(angle), end);
+    }
+}
+
+/// The rings of corners at the hull's two ends (see beam.vert), and the lens.
 std::vector<glm::vec3> hullCorners() {
     std::vector<glm::vec3> corners;
-    for (int ring = 0; ring < 2; ++ring) {
-        for (int i = 0; i < kHullCorners; ++i) {
-            const double angle = 2.0 * kPi * i / kHullCorners;
-            corners.emplace_back(std::cos(angle), std::sin(angle), ring);
-        }
-    }
+    addRing(kHullCorners, 0, corners);
+    addRing(kHullCorners, 1, corners);
+    addRing(kLensCorners, 0, corners);
     return corners;
 }
 
@@ -180,7 +187,8 @@ void BeamBatch::drawLenses(std::size_t group) {
     bind(ranges_[group]);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    glDrawArraysInstanced(GL_TRIANGLE_FAN, 0, kHullCorners, static_cast<GLsizei>(ranges_[group].count));
+    glDrawArraysInstanced(GL_TRIANGLE_FAN, 2 * kHullCorners, kLensCorners,
+                          static_cast<GLsizei>(ranges_[group].count));
     glDisable(GL_BLEND);
 }
 
