@@ -21,7 +21,9 @@ int gridStepFor(double maxError) {
 AirQuality airQualityFor(double maxError) {
     AirQuality quality;
     quality.gridStep = gridStepFor(maxError);
-    quality.gridTolerance = 4.0 * maxError;
+    // Pixels that err as much as they may are few: over the picture it is a quarter of that, as long as it is
+    // little.
+    quality.gridTolerance = std::min(4.0 * maxError, 0.08);
     // Shadow edges are found by bisection: what is missed are occluders between two looks, 1 / N^2.
     quality.shadowIntervals = count(std::sqrt(1.1 / maxError), 8, 29);
     // Even taps over a picture with edges: 1 / N.
