@@ -115,6 +115,84 @@ TEST_F(DisplayGl, DitherIsATriangleOfOneStep) {
     EXPECT_NEAR(squares / kCount, 1.0 / 6.0 + 1.0 / 12.0, 0.05);
 }
 
+/// The light of a wide lamp in haze with swirls of many metres: slow gradients, dark enough for a step to be
+/// seen.
+render::Scene slowSwirls() {
+    render::Scene scene;
+    render::Beam beam;
+    beam.lensPositionM = {-12.0, 0.0, 2.0};
+    beam.worldFromBeam =
+        glm::dmat3(glm::dvec3(0.0, -1.0, 0.0), glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(-1.0, 0.0, 0.0));
+    beam.fieldAngleRad = 2.6;
+    beam.edge = render::BeamEdge::kFlat;
+    beam.intensityCd = 4000.0;
+    beam.showsLens = false;
+    scene.beams.push_back(beam);
+    scene.haze.extinctionPerM = scene.haze.scatteringPerM = 0.02f;
+    scene.haze.phase = {0.0f, 0.0f, 1.0f};
+    scene.haze.noise.amount = 1.0f;
+    scene.haze.noise.scaleM = 8.0f;
+    return scene;
+}
+
+// A volume of bytes would be stairs here, with bends of 2 %. What is left are the creases of linear
+// interpolation.
+TEST_F(DisplayGl, ASlowGradientInUnevenHazeHasNoSteps) {
+    constexpr int kWidth = 512;
+    constexpr int kHeight = 64;
+    settings_.exposureEv100 = 3.0f;
+    const Pictures pictures =
+        drawBoth(slowSwirls(), {{0.0, -10.0, 2.0}, {0.0, 0.0, 2.0}, {0.0, 0.0, 1.0}, 0.1}, kWidth, kHeight);
+    double largestBend = 0.0;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 1; x + 1 < kWidth; ++x) {
+            const auto at = [&](int column) {
+                return static_cast<double>(pictures.radiance.at(column, y)[1]);
+            };
+            largestBend = std::max(largestBend, std::abs(at(x + 1) - 2.0 * at(x) + at(x - 1)) / at(x));
+        }
+    }
+    EXPECT_LT(largestBend, 6e-3);
+}
+
+// Dither breaks up what 8 bits round to bands: no value stands for long, and blocks of pixels have the mean
+// of what was drawn.
+TEST_F(DisplayGl, ASlowGradientInUnevenHazeHasNoBands) {
+    constexpr int kWidth = 512;
+    constexpr int kHeight = 64;
+    settings_.exposureEv100 = 3.0f;
+    const Pictures pictures =
+        drawBoth(slowSwirls(), {{0.0, -10.0, 2.0}, {0.0, 0.0, 2.0}, {0.0, 0.0, 1.0}, 0.1}, kWidth, kHeight);
+    int longestRun = 0, longestUndithered = 0;
+    double largestError = 0.0;
+    for (int y = 0; y < kHeight; ++y) {
+        int run = 0, undithered = 0;
+        for (int x = 1; x < kWidth; ++x) {
+            const auto rounded = [&](int column) {
+                return std::lround(exactAt(pictures.radiance, column, y).g / kStep);
+            };
+            run = shownAt(pictures.display, x, y).g == shownAt(pictures.display, x - 1, y).g ? run + 1 : 0;
+            undithered = rounded(x) == rounded(x - 1) ? undithered + 1 : 0;
+            longestRun = std::max(longestRun, run);
+            longestUndithered = std::max(longestUndithered, undithered);
+        }
+    }
+    constexpr int kBlock = 16;
+    for (int y = 0; y < kHeight; y += kBlock) {
+        for (int x = 0; x < kWidth; x += kBlock) {
+            double sum = 0.0;
+            for (int i = 0; i < kBlock * kBlock; ++i) {
+                const int column = x + i % kBlock, row = y + i / kBlock;
+                sum += shownAt(pictures.display, column, row).g - exactAt(pictures.radiance, column, row).g;
+            }
+            largestError = std::max(largestError, std::abs(sum) / (kBlock * kBlock));
+        }
+    }
+    EXPECT_GT(longestUndithered, 20);
+    EXPECT_LT(longestRun, 14);
+    EXPECT_LT(largestError, 0.2 * kStep);
+}
+
 /// A ball and a slanted board in ambient light, and a beam through haze: smooth and not, dark and bright.
 class DisplayOfAStage : public DisplayGl {
  protected:
