@@ -185,11 +185,13 @@ std::string whyNoGrid(const SummaryInputs& in) {
     if (in.settings.integrator == Integrator::kUniform)
         return "the thesis' integrator is drawn as it is, for comparison";
     if (in.settings.samples > 0) return "a given number of samples is drawn as it is, for comparison";
+    if (in.settings.maxError > 0.0 && in.settings.airStep == 0)
+        return "integrating every pixel is cheaper, or the error asked for wants it";
     return "the settings ask for every pixel to be integrated";
 }
 
 FramePart airGrid(const SummaryInputs& in) {
-    const int step = airStep(in.settings);
+    const int step = in.plan.airStep;
     FramePart part = named("coarse grid of the air", in.plan.air && step > 1);
     part.reason =
         part.needed ? fmt::format("every {}th pixel of the air is integrated first", step) : whyNoGrid(in);
@@ -206,7 +208,7 @@ FramePart airGrid(const SummaryInputs& in) {
 }
 
 FramePart thinBeams(const SummaryInputs& in) {
-    const int step = airStep(in.settings);
+    const int step = in.plan.airStep;
     const auto isThin = [&](int index) {
         const auto beam = static_cast<std::size_t>(index);
         return isThinOnScreen(in.scene.beams[beam], in.plan.shapes[beam], in.camera, in.settings.height,

@@ -168,7 +168,7 @@ void Renderer::Impl::drawLitSurfaces(const LightInputs& in) {
 }
 
 void Renderer::Impl::drawAir(const LightInputs& in) {
-    const int step = airStep(in.settings);
+    const int step = in.plan.airStep;
     if (step > 1) {
         airGrid.draw(air, in, radiance.id(), step);
         glBindFramebuffer(GL_FRAMEBUFFER, radianceTarget.id());
@@ -180,7 +180,7 @@ void Renderer::Impl::drawAir(const LightInputs& in) {
 void Renderer::Impl::drawCost(const LightInputs& in) {
     static constexpr std::array<float, 4> kNothing{};
     glClearBufferfv(GL_COLOR, 0, kNothing.data());
-    const int step = airStep(in.settings);
+    const int step = in.plan.airStep;
     if (step > 1) {
         airGrid.count(air, in, step);
         glBindFramebuffer(GL_FRAMEBUFFER, radianceTarget.id());

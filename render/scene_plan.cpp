@@ -128,6 +128,23 @@ void planShadowsOf(const Scene& scene, const Camera& camera, const Settings& set
     plan.shadowAtlasEdge = smallestAtlasEdge(tiles);
 }
 
+/// Integrals must cost more than what the grid takes besides them. Measured on a processor without a GPU,
+/// docs/rendering.md.
+bool gridPays(const ScenePlan& plan, const Settings& settings) {
+    constexpr std::int64_t kManyPixels = 200'000;
+    constexpr std::size_t kManyBeams = 16;
+    const auto isCostly = [](const BeamGroup& group) {
+        return (group.features & kFeatureNoise) != 0 || (group.features & kFeatureFlat) == 0;
+    };
+    return std::int64_t{settings.width} * settings.height >= kManyPixels &&
+           (plan.lit.size() >= kManyBeams || std::ranges::any_of(plan.airGroups, isCostly));
+}
+
+int airStep(const ScenePlan& plan, const Settings& settings) {
+    const int step = airQuality(settings).gridStep;
+    return settings.airStep > 0 || gridPays(plan, settings) ? step : 1;
+}
+
 }  // namespace
 
 std::vector<std::string> featureDefines(LightFeatures features) {
@@ -165,10 +182,6 @@ bool usesProfileRules(const ScenePlan& plan) {
     });
 }
 
-int airStep(const Settings& settings) {
-    return airQuality(settings).gridStep;
-}
-
 ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& settings,
                     std::span<const MeshBounds> meshBounds, std::span<const IesWeb> webs) {
     ScenePlan plan;
@@ -204,6 +217,7 @@ ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& se
         features[index] |= haze | inAir(scene.beams[index], plan.shapes[index], haze);
     }
     plan.airGroups = groupBeams(plan.lit, features);
+    plan.airStep = airStep(plan, settings);
     return plan;
 }
 

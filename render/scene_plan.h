@@ -53,6 +53,9 @@ struct ScenePlan {
     std::vector<BeamShape> shapes;     ///< One per beam of the scene.
     std::vector<BeamGroup> lenses;     ///< Lit lenses to draw.
     std::vector<BeamGroup> airGroups;  ///< Empty without haze that scatters.
+    /// Pixels between the nodes of the coarse grid of the air, see Settings::airStep; 1: there is no grid.
+    /// The thesis' integrator and a given number of samples are drawn as they are, for comparison.
+    int airStep = 1;
     std::vector<BeamGroup> surfaceGroups;   ///< Only of beams that reach a surface.
     std::vector<ShadowMapPlan> shadowMaps;  ///< Only of lamps with a caster in the cone.
     int shadowAtlasEdge = 0;                ///< Texels along both edges of the texture of all maps; 0: none.
@@ -63,10 +66,6 @@ struct ScenePlan {
 
 /// Is there a group of beams in the air, on surfaces or among the lenses that needs this feature?
 bool usesFeature(const ScenePlan& plan, LightFeature feature);
-
-/// Pixels between the nodes of the coarse grid of the air, see Settings::airStep; 1: there is no grid. The
-/// thesis' integrator and a given number of samples are drawn as they are, for comparison.
-int airStep(const Settings& settings);
 
 /// `meshBounds[i]` encloses MeshId i in its own space, `webs[i]` is what WebId i stands for.
 /// Does the group's light in the air take quadrature rules for soft profiles (render/profile_rule.h), as far

@@ -11,7 +11,7 @@ TEST(AirQuality, ASmallerErrorNeverAsksForLess) {
     for (const double error : {0.1, 0.02, 0.01, 5e-3, 1e-3, 2e-4, 1e-4}) {
         const render::AirQuality finer = render::airQualityFor(error);
         EXPECT_LE(finer.gridStep, coarser.gridStep) << error;
-        EXPECT_LT(finer.gridTolerance, coarser.gridTolerance) << error;
+        EXPECT_LE(finer.gridTolerance, coarser.gridTolerance) << error;
         EXPECT_GE(finer.shadowIntervals, coarser.shadowIntervals) << error;
         EXPECT_GE(finer.profilePairs, coarser.profilePairs) << error;
         EXPECT_GE(finer.goboTaps, coarser.goboTaps) << error;

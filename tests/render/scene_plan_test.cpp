@@ -148,6 +148,27 @@ TEST(ScenePlan, ABeamThatMeetsNoSurfaceLightsTheAirAlone) {
     EXPECT_EQ(p.airGroups.size(), 1u);
 }
 
+TEST(ScenePlan, ACoarseGridOnlyWhereItPays) {
+    Scene scene = sceneWithBall({0.0, 0.0, 2.0});
+    render::Settings settings;
+    EXPECT_EQ(plan(scene, settings).airStep, 1) << "no error is allowed for";
+    settings.maxError = 0.01;
+    EXPECT_EQ(plan(scene, settings).airStep, 4);
+    settings.width = settings.height = 256;
+    EXPECT_EQ(plan(scene, settings).airStep, 1) << "a small picture";
+    settings.airStep = 2;
+    EXPECT_EQ(plan(scene, settings).airStep, 2) << "asked for by name";
+    settings = {};
+    settings.maxError = 0.01;
+    scene.beams.front().edge = render::BeamEdge::kFlat;
+    EXPECT_EQ(plan(scene, settings).airStep, 1) << "flat beams are cheap";
+    scene.haze.noise.amount = 0.5f;
+    EXPECT_EQ(plan(scene, settings).airStep, 4) << "but not in uneven haze";
+    scene.haze.noise.amount = 0.0f;
+    scene.beams.resize(20, scene.beams.front());
+    EXPECT_EQ(plan(scene, settings).airStep, 4) << "nor if there are many";
+}
+
 TEST(ScenePlan, AWideLampNeedsShadowMapsAllAround) {
     Scene scene = sceneWithBall({0.0, 0.0, 2.0});
     scene.beams.front().fieldAngleRad = 3.0;
