@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/scene.h"
+
 namespace hazer::render {
 namespace {
 
 int count(double wanted, int least, int most) {
     return std::clamp(static_cast<int>(std::ceil(wanted)), least, most);
 }
+
+/// What a look at a gobo's table may cost, as a share of the light that comes through.
+constexpr double kLeastTableError = 4e-3;
 
 /// A grid pays as long as most of its cells may be interpolated.
 int gridStepFor(double maxError) {
@@ -21,22 +26,28 @@ int gridStepFor(double maxError) {
 AirQuality airQualityFor(double maxError) {
     AirQuality quality;
     quality.gridStep = gridStepFor(maxError);
-    // Pixels that err as much as they may are few: over the picture it is a quarter of that, as long as it is
-    // little.
-    quality.gridTolerance = std::min(4.0 * maxError, 0.08);
-    // Shadow edges are found by bisection: what is missed are occluders between two looks, 1 / N^2.
-    quality.shadowIntervals = count(std::sqrt(1.1 / maxError), 8, 29);
-    // Even taps over a picture with edges: 1 / N.
-    quality.goboTaps = count(0.32 / maxError, 16, 512);
-    // Even looks at smooth noise: 1 / N^2, and its contrast.
-    quality.noiseNodes = count(0.8 / std::sqrt(maxError), 6, 64);
+    // Pixels that err as much as they may are few, but in a picture of few pixels they are many.
+    quality.gridTolerance = std::max(std::min(2.0 * maxError, 0.03), 0.8 * maxError);
+    // What each number may cost: errors of different origin add up as squares, and hardly ever are two at
+    // their worst.
+    const double each = 0.6 * maxError;
+    // Edges of shadows are found by bisection: what is missed are bodies between two looks.
+    quality.shadowIntervals = count(std::sqrt(1.2 / each), 8, 29);
+    // A gobo in even cells, as blurred as they are long.
+    quality.goboTaps = count(std::sqrt(24.0 / each), 12, 512);
+    quality.goboTolerance = 1.6 * maxError;
+    quality.goboLevelsApart = maxError >= kLeastTableError ? 1.0 : 0.0;
+    // Even looks at uneven haze, each the mean around it.
+    quality.noiseNodes = count(std::sqrt(1.0 / each), 4, 64);
     quality.profilePairs = maxError >= 0.02 ? 3 : 4;
     return quality;
 }
 
 AirQuality airQuality(const Settings& settings) {
-    AirQuality quality = airQualityFor(settings.maxError > 0.0 ? settings.maxError : kDefaultMaxError);
-    if (settings.maxError <= 0.0) quality.gridStep = 1;
+    AirQuality quality = settings.quality
+                             ? *settings.quality
+                             : airQualityFor(settings.maxError > 0.0 ? settings.maxError : kDefaultMaxError);
+    if (!settings.quality && settings.maxError <= 0.0) quality.gridStep = 1;
     if (settings.airStep > 0) quality.gridStep = settings.airStep;
     if (settings.integrator == Integrator::kUniform || settings.samples > 0) quality.gridStep = 1;
     return quality;

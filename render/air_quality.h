@@ -1,9 +1,9 @@
 // How finely light in the air is integrated, for an error that is asked for.
 #pragma once
 
-#include "render/scene.h"
-
 namespace hazer::render {
+
+struct Settings;
 
 struct AirQuality {
     int gridStep = 1;  ///< Pixels between the nodes that are integrated first; 1: every pixel.
@@ -12,7 +12,11 @@ struct AirQuality {
     int shadowIntervals = 16;  ///< Of the part of a ray that may be shaded; 4..29.
     int profilePairs = 4;  ///< Pairs of nodes on either side of a soft beam's axis, where a ray is cut; 2..4.
     int goboTaps = 32;     ///< Along the line on a gobo, where its table does not serve.
-    int noiseNodes = 8;    ///< Looks at uneven haze along the lit part of a ray.
+    double goboTolerance =
+        0.02;  ///< How far what is smooth along a gobo's line may be from a cubic, a share.
+    double goboLevelsApart =
+        0.3;             ///< How far its blur may differ along a line that its table serves, in mip levels.
+    int noiseNodes = 8;  ///< Looks at uneven haze along the lit part of a ray.
 };
 
 /// The error that is kept to when none is asked for.

@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <optional>
 #include <vector>
+
+#include "render/air_quality.h"
 
 namespace hazer::render {
 
@@ -125,6 +128,7 @@ struct Settings {
     int samples = 0;
     /// Largest root mean square error of the light in the air, as a share of it, 0.0001..0.5; 0: a good one.
     double maxError = 0.0;
+    std::optional<AirQuality> quality = {};  ///< Stands in for maxError where its laws are measured.
     /// Pixels between the nodes where light in the air is integrated first; in between it is interpolated
     /// where that is good enough. 1: every pixel is integrated. 0: as the quality asks.
     int airStep = 0;

@@ -18,6 +18,8 @@ uniform sampler2D profileRules;  // render/profile_rule.h
 uniform int shadowIntervals;     // of the stretch that something may shade
 uniform int profilePairs;         // of nodes on either side of the axis
 uniform int goboTaps;            // over the lit stretch
+uniform float goboTolerance;     // how far what is smooth along a gobo's line may be from a cubic, a share
+uniform float goboLevelsApart;   // how far its blur may differ along a line that a table serves, in mip levels
 uniform int noiseNodes;          // over the lit stretch
 uniform int sampleCount;         // SAMPLED: over the lit stretch; UNIFORM: over the whole ray
 uniform float uniformRangeM;     // UNIFORM: where a ray that hits nothing ends

@@ -36,6 +36,8 @@ void AirPass::setHaze(const gl::Program& program, const LightInputs& in) {
     program.set("shadowIntervals", quality.shadowIntervals);
     program.set("profilePairs", quality.profilePairs);
     program.set("goboTaps", quality.goboTaps);
+    program.set("goboTolerance", static_cast<float>(quality.goboTolerance));
+    program.set("goboLevelsApart", static_cast<float>(quality.goboLevelsApart));
     program.set("noiseNodes", quality.noiseNodes);
     program.set("sampleCount", in.settings.samples > 0 ? in.settings.samples : kUniformSamples);
     program.set("uniformRangeM", kUniformRangeM);

@@ -2,6 +2,7 @@
 //
 // Whoever includes this provides
 //     Real densityAround(Real t, Real apartM);   haze density relative to the mean, t [m] from the eye, for looks apartM apart
+//     bool seesLamp(Real3 pointM);               does a point (lamp space) see the lamp?
 // Needs beam_integral.glsl.
 
 // Mean density along an arc, weighted by the light that comes from there: what even haze gives is multiplied by it (ratio estimator). Exact for
@@ -16,7 +17,7 @@ Real densityOf(LampRay ray, BeamOptics optics, HazeMedium haze, Arc arc, int nod
         Real x = (Real(node) + shift) * apart;
         Real jacobian;
         LampSample here = arcSample(ray, arc, x, optics.apexToLensM, jacobian);
-        Real weight = beamKernel(here, optics, haze) * jacobian;
+        Real weight = seesLamp(here.direction * here.distanceM) ? beamKernel(here, optics, haze) * jacobian : Real(0.0);
         // ds = r^2 / h du, s = r sin u
         Real apartM = here.distanceM * here.distanceM * jacobian * apartPerH;
         sum += weight * densityAround(ray.tClosest - here.distanceM * here.cosScatter, apartM);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "render/scene.h"
+
 namespace hazer::test {
 namespace {
 
@@ -15,6 +17,8 @@ TEST(AirQuality, ASmallerErrorNeverAsksForLess) {
         EXPECT_GE(finer.shadowIntervals, coarser.shadowIntervals) << error;
         EXPECT_GE(finer.profilePairs, coarser.profilePairs) << error;
         EXPECT_GE(finer.goboTaps, coarser.goboTaps) << error;
+        EXPECT_LT(finer.goboTolerance, coarser.goboTolerance) << error;
+        EXPECT_LE(finer.goboLevelsApart, coarser.goboLevelsApart) << error;
         EXPECT_GE(finer.noiseNodes, coarser.noiseNodes) << error;
         coarser = finer;
     }
@@ -38,6 +42,15 @@ TEST(AirQuality, ComparisonsAreDrawnAtEveryPixel) {
     settings.samples = 0;
     settings.integrator = render::Integrator::kUniform;
     EXPECT_EQ(render::airQuality(settings).gridStep, 1);
+}
+
+TEST(AirQuality, AGivenOneStands) {
+    render::Settings settings;
+    settings.maxError = 0.2;
+    settings.quality = render::airQualityFor(1e-3);
+    settings.quality->noiseNodes = 17;
+    EXPECT_EQ(render::airQuality(settings).noiseNodes, 17);
+    EXPECT_EQ(render::airQuality(settings).gridStep, 2);
 }
 
 }  // namespace
