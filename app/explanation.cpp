@@ -176,6 +176,8 @@ Explanation explainShow(const Show& show, const ExplainRequest& request) {
     render::Settings settings;
     settings.width = request.width;
     settings.height = request.height;
+    settings.integrator = request.integrator;
+    settings.bloom = request.bloom;
     Lamps lamps = lampsOf(show, patch);
     const render::ScenePlan plan =
         render::planScene(scene, camera.camera, settings, assets.meshBounds(), assets.webs());

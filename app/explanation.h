@@ -15,6 +15,8 @@ struct ExplainRequest {
     std::string camera;                    ///< Empty: the show's first.
     int width = 1280;
     int height = 720;
+    render::Integrator integrator = render::Integrator::kAngle;
+    bool bloom = true;
 };
 
 struct Explanation {

@@ -7,6 +7,7 @@
 
 #include "app/assignment.h"
 #include "app/commands/command.h"
+#include "app/commands/integrator_option.h"
 #include "app/commands/size_option.h"
 #include "app/explanation.h"
 
@@ -17,12 +18,14 @@ struct ExplainOptions {
     std::string show;
     ExplainRequest request;
     Size size;
+    bool hasNoBloom = false;
     bool isJson = false;
 };
 
 int runExplain(ExplainOptions options) {
     options.request.width = options.size.width;
     options.request.height = options.size.height;
+    options.request.bloom = !options.hasNoBloom;
     const Explanation explanation = explainShow(loadShow(options.show), options.request);
     if (options.isJson) {
         // Names come from other people's files: what is not UTF-8 in them must not end the program.
@@ -53,6 +56,8 @@ void addExplainCommand(CLI::App& program, Command& chosen) {
     addSizeOption(*command, options->size);
     command->add_option("--camera", options->request.camera,
                         "Name of a camera of the show; its first unless given");
+    addIntegratorOption(*command, options->request.integrator);
+    command->add_flag("--no-bloom", options->hasNoBloom, "Without the glow around bright light");
     command->add_flag("--json", options->isJson, "Print JSON");
     command->callback([options, &chosen] { chosen = [options] { return runExplain(*options); }; });
 }

@@ -12,6 +12,7 @@
 
 #include "app/assignment.h"
 #include "app/commands/command.h"
+#include "app/commands/integrator_option.h"
 #include "app/commands/max_error_option.h"
 #include "app/commands/size_option.h"
 #include "app/film.h"
@@ -34,7 +35,7 @@ struct RenderOptions {
     double listenS = 0.0;
     std::optional<std::uint16_t> port;
     std::optional<float> ev100;
-    std::string integrator = "angle";
+    render::Integrator integrator = render::Integrator::kAngle;
     int samples = 0;
     std::string view = "light";
     double maxError = 0.0;
@@ -58,8 +59,7 @@ void applySettings(const RenderOptions& options, Session& session) {
     settings.width = options.size.width;
     settings.height = options.size.height;
     settings.exposureEv100 = options.ev100.value_or(settings.exposureEv100);
-    settings.integrator =
-        options.integrator == "uniform" ? render::Integrator::kUniform : render::Integrator::kAngle;
+    settings.integrator = options.integrator;
     settings.samples = options.samples;
     settings.maxError = options.maxError;
     settings.bloom = !options.hasNoBloom;
@@ -184,9 +184,7 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("--camera", options.camera, "Name of a camera of the show; its first unless given");
     command.add_option("--ev", options.ev100, "Exposure as EV100, -20..40; the show's unless given")
         ->check(numberFrom(-20.0, 40.0));
-    command
-        .add_option("--integrator", options.integrator, "How light in the haze is summed; angle unless given")
-        ->check(CLI::IsMember({"angle", "uniform"}));
+    addIntegratorOption(command, options.integrator);
     command
         .add_option("--samples", options.samples, "Samples of the integrator, 1..16384; its own unless given")
         ->check(CLI::Range(1, 16384));

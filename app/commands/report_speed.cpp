@@ -21,7 +21,7 @@ namespace {
 struct SpeedOptions {
     std::string show;
     std::string out;
-    std::string integrator = "angle";
+    render::Integrator integrator = render::Integrator::kAngle;
     Size size;
     int frames = 30;
     double maxError = 0.0;
@@ -36,7 +36,7 @@ int runSpeed(const SpeedOptions& options) {
     session.settings().width = options.size.width;
     session.settings().height = options.size.height;
     session.settings().maxError = options.maxError;
-    if (options.integrator == "uniform") session.settings().integrator = render::Integrator::kUniform;
+    session.settings().integrator = options.integrator;
     session.setTime(kStrikingMomentS);
     const SpeedReport report = measureSpeed(session, options.frames);
     const std::string json = speedJson(report).dump(2) + "\n";
@@ -63,10 +63,7 @@ void addSpeedReport(CLI::App& report, Command& chosen) {
     addSizeOption(*command, options->size);
     command->add_option("--frames", options->frames, "Frames that count, 1..10000; 30 unless given")
         ->check(CLI::Range(1, 10000));
-    command
-        ->add_option("--integrator", options->integrator,
-                     "How light in the haze is summed; angle unless given")
-        ->check(CLI::IsMember({"angle", "uniform"}));
+    addIntegratorOption(*command, options->integrator);
     addMaxErrorOption(*command, options->maxError);
     command->add_option("--out", options->out, "Folder that speed.json and speed.md are written into, too");
     command->add_flag("--json", options->isJson, "Print JSON");

@@ -55,6 +55,21 @@ TEST(Explain, SaysWhatIsNeededAndWhatIsNot) {
                 AllOf(HasSubstr("no lit lamp has a photometric web"), Not(HasSubstr("noise is"))));
 }
 
+TEST(Explain, TakesTheIntegratorAndTheBloomThatRenderTakes) {
+    const auto airFeatures = [](const json& explanation) {
+        std::string all;
+        for (const json& variant : explanation["variants"]) all += variant["shader"].get<std::string>() + " ";
+        return all;
+    };
+    const json asItIs = explainAsJson({kThesis});
+    EXPECT_THAT(airFeatures(asItIs), Not(HasSubstr("UNIFORM")));
+    EXPECT_EQ(partOf(asItIs, "bloom")["needed"], true);
+    const json other = explainAsJson({kThesis, "--integrator", "uniform", "--no-bloom"});
+    EXPECT_THAT(airFeatures(other), HasSubstr("UNIFORM"));
+    EXPECT_EQ(partOf(other, "bloom")["needed"], false);
+    EXPECT_EQ(explain({kThesis, "--integrator", "best"}).exitCode, 1);
+}
+
 TEST(Explain, AShowWithoutADeskIsDark) {
     const json dark = explainAsJson({kOneSpot});
     EXPECT_EQ(dark["lamps"]["lit"], 0);
