@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/integrator_option.h"
 #include "app/commands/max_error_option.h"
 #include "app/commands/report.h"
 #include "app/commands/size_option.h"
