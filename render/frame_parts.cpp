@@ -389,6 +389,18 @@ FramePart lampsBackwards(const SummaryInputs& in) {
     return part;
 }
 
+FramePart lines(const SummaryInputs& in) {
+    const std::size_t beams = beamsWith(in, kFeatureLine);
+    FramePart part = named("beams as lines", beams > 0);
+    part.reason = part.needed    ? ofLit(beams, in, "is", "are", "thinner than two pixels over a length")
+                  : !in.plan.air ? kNoLightInTheAir
+                  : in.settings.integrator == Integrator::kUniform
+                      ? "the thesis' integrator takes every pixel's ray alone"
+                      : "no lit lamp's beam is thinner than two pixels over a length";
+    part.features = featureDefines(kFeatureLine);
+    return part;
+}
+
 FramePart lenses(const SummaryInputs& in) {
     const std::size_t shown = beamsIn(in.plan.lenses);
     FramePart part = named("lenses", shown > 0);
@@ -428,10 +440,10 @@ FramePart darkLamps(const SummaryInputs& in) {
 
 std::vector<FramePart> frameParts(const SummaryInputs& in) {
     return {
-        picture(in),   bodies(in),         background(in), meshes(in), surfaceLight(in),
-        air(in),       airGrid(in),        thinBeams(in),  noise(in),  uniformSamples(in),
-        profile(in),   gobos(in),          goboTables(in), webs(in),   shadows(in),
-        wideLamps(in), lampsBackwards(in), lenses(in),     bloom(in),  darkLamps(in),
+        picture(in),    bodies(in),    background(in), meshes(in),         surfaceLight(in),   air(in),
+        airGrid(in),    thinBeams(in), noise(in),      uniformSamples(in), profile(in),        gobos(in),
+        goboTables(in), webs(in),      shadows(in),    wideLamps(in),      lampsBackwards(in), lines(in),
+        lenses(in),     bloom(in),     darkLamps(in),
     };
 }
 

@@ -60,6 +60,8 @@ struct Formulas : Surroundings {
 #include "shaders/include/beam_integral.glsl"
     // Needs that above.
 #include "shaders/include/beam_backwards.glsl"
+#include "shaders/include/beam_line.glsl"
+#include "shaders/include/beam_line_filter.glsl"
 #include "shaders/include/beam_reference.glsl"
 #include "shaders/include/beam_shade.glsl"
 };

@@ -20,26 +20,6 @@ constexpr double kWidestGoboFieldRad = 178.0 * kRadPerDeg;
 // Half angle from which on a lamp has no lens plane: it shines to all sides, or backwards, too.
 constexpr double kNoLensRad = 89.5 * kRadPerDeg;
 
-/// Solid angle weighted by the profile [sr]: flux = peak * this. Runs for every beam and frame, hence
-/// Gauss-Legendre.
-double profileSolidAngle(const BeamShape& shape) {
-    if (shape.exponent == 0.0) {
-        const double s = std::sin(0.5 * shape.cutHalfAngleRad);
-        return 4.0 * kPi * s * s;
-    }
-    constexpr int kPieces = 32;
-    glsl::Formulas<double> formulas;
-    const double piece = shape.cutHalfAngleRad / kPieces;
-    double sum = 0.0;
-    for (int p = 0; p < kPieces; ++p) {
-        for (int i = 0; i < 4; ++i) {
-            const double psi = (p + formulas.gaussNode4(i)) * piece;
-            sum += formulas.gaussWeight4(i) * relativeIntensity(shape, psi) * std::sin(psi);
-        }
-    }
-    return 2.0 * kPi * sum * piece;
-}
-
 /// How far behind the lens the apex lies, over the lens' radius. Over the last half degree before kNoLensRad
 /// it moves into the lens, so that nothing jumps.
 double apexPerRadius(double fieldHalfAngleRad) {
@@ -61,6 +41,25 @@ double relativeIntensity(const BeamShape& shape, double psiRad) {
     if (psiRad >= shape.cutHalfAngleRad) return 0.0;
     if (shape.exponent == 0.0) return 1.0;
     return glsl::Formulas<double>().softProfile(psiRad, shape.beamHalfAngleRad, shape.exponent);
+}
+
+// Runs for every beam and frame, hence Gauss-Legendre.
+double profileSolidAngle(const BeamShape& shape) {
+    if (shape.exponent == 0.0) {
+        const double s = std::sin(0.5 * shape.cutHalfAngleRad);
+        return 4.0 * kPi * s * s;
+    }
+    constexpr int kPieces = 32;
+    glsl::Formulas<double> formulas;
+    const double piece = shape.cutHalfAngleRad / kPieces;
+    double sum = 0.0;
+    for (int p = 0; p < kPieces; ++p) {
+        for (int i = 0; i < 4; ++i) {
+            const double psi = (p + formulas.gaussNode4(i)) * piece;
+            sum += formulas.gaussWeight4(i) * relativeIntensity(shape, psi) * std::sin(psi);
+        }
+    }
+    return 2.0 * kPi * sum * piece;
 }
 
 BeamShape beamShape(const Beam& beam) {

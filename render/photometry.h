@@ -22,6 +22,9 @@ struct BeamShape {
 /// at most the field angle. A lamp of a field of 179 degrees or more has its apex in the lens.
 BeamShape beamShape(const Beam& beam);
 
+/// Solid angle weighted by the profile [sr]: the flux is the peak times this.
+double profileSolidAngle(const BeamShape& shape);
+
 /// Intensity at `psiRad` from the axis relative to the peak, by the shaders' own formula.
 double relativeIntensity(const BeamShape& shape, double psiRad);
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "render/air_quality.h"
-
+#include "render/beam_width.h"
 #include "render/camera.h"
 #include "render/delta_eddington.h"
 #include "render/profile_rule.h"
@@ -18,7 +18,7 @@
 namespace hazer::render {
 namespace {
 
-constexpr std::array<std::pair<LightFeatures, const char*>, 10> kFeatureNames{
+constexpr std::array<std::pair<LightFeatures, const char*>, 11> kFeatureNames{
     {{kFeatureFlat, "FLAT_PROFILE"},
      {kFeatureGobo, "GOBO"},
      {kFeatureShadow, "SHADOW"},
@@ -28,11 +28,12 @@ constexpr std::array<std::pair<LightFeatures, const char*>, 10> kFeatureNames{
      {kFeatureCount, "COUNT"},
      {kFeatureWide, "SHADOW_FACES"},
      {kFeatureSampled, "SAMPLED"},
-     {kFeatureBackwards, "BACKWARDS"}}};
+     {kFeatureBackwards, "BACKWARDS"},
+     {kFeatureLine, "LINE"}}};
 
 /// What only the light in the air knows.
 constexpr LightFeatures kAirOnly =
-    kFeatureNoise | kFeatureUniform | kFeatureCount | kFeatureSampled | kFeatureBackwards;
+    kFeatureNoise | kFeatureUniform | kFeatureCount | kFeatureSampled | kFeatureBackwards | kFeatureLine;
 
 bool canBe(LightFeatures features) {
     const auto together = [features](LightFeatures two) { return (features & two) == two; };
@@ -41,8 +42,10 @@ bool canBe(LightFeatures features) {
     const bool isBackwardsInVain =
         either(kFeatureBackwards) && (either(kFeatureWeb | kFeatureGobo | kFeatureUniform) ||
                                       (features & (kFeatureShadow | kFeatureWide)) == kFeatureShadow);
+    const bool isLineInVain =
+        either(kFeatureLine) && either(kFeatureWeb | kFeatureUniform | kFeatureWide | kFeatureBackwards);
     return !together(kFeatureFlat | kFeatureWeb) && !together(kFeatureUniform | kFeatureSampled) &&
-           !isWideWithoutShadow && !isBackwardsInVain;
+           !isWideWithoutShadow && !isBackwardsInVain && !isLineInVain;
 }
 
 /// Every combination of features without those of `never`.
@@ -73,10 +76,17 @@ LightFeatures featuresOf(const Beam& beam, const BeamShape& shape, const Setting
     return features;
 }
 
-/// What a beam needs in the air besides.
-LightFeatures inAir(const Beam& beam, const BeamShape& shape, LightFeatures haze) {
-    const bool isBackwards = beam.web < 0 && std::cos(shape.cutHalfAngleRad) < 0.0;
-    return isBackwards && (haze & kFeatureUniform) == 0 ? LightFeatures{kFeatureBackwards} : 0;
+/// What a beam needs in the air besides, for its angle. Webs and the thesis' integrator need nothing.
+LightFeatures inAir(const Beam& beam, const BeamShape& shape, const Camera& camera,
+                    const Settings& settings) {
+    if (beam.web >= 0 || settings.integrator == Integrator::kUniform) return 0;
+    if (std::cos(shape.cutHalfAngleRad) < 0.0) return kFeatureBackwards;
+    // A line knows the directions of its axis alone; what is wider is thin only where pixels are degrees
+    // wide.
+    constexpr double kWidestLineRad = 0.1;
+    const bool isLine =
+        shape.cutHalfAngleRad < kWidestLineRad && isThinOnScreen(beam, shape, camera, settings.height, 1.0);
+    return isLine ? LightFeatures{kFeatureLine} : 0;
 }
 
 /// What the haze adds for every beam in the air.
@@ -170,7 +180,8 @@ bool usesFeature(const ScenePlan& plan, LightFeature feature) {
 }
 
 bool takesProfileRules(LightFeatures group) {
-    return (group & (kFeatureFlat | kFeatureWeb | kFeatureGobo | kFeatureUniform | kFeatureSampled)) == 0;
+    return (group & (kFeatureFlat | kFeatureWeb | kFeatureGobo | kFeatureUniform | kFeatureSampled |
+                     kFeatureLine)) == 0;
 }
 
 bool usesProfileRules(const ScenePlan& plan) {
@@ -214,7 +225,7 @@ ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& se
     const LightFeatures haze = airFeatures(scene, settings);
     for (const int beam : plan.lit) {
         const auto index = static_cast<std::size_t>(beam);
-        features[index] |= haze | inAir(scene.beams[index], plan.shapes[index], haze);
+        features[index] |= haze | inAir(scene.beams[index], plan.shapes[index], camera, settings);
     }
     plan.airGroups = groupBeams(plan.lit, features);
     plan.airStep = airStep(plan, settings);

@@ -29,6 +29,8 @@ enum LightFeature : std::uint32_t {
     /// The lamp shines backwards, too: all but a cone is lit. In the air only; webs and the thesis'
     /// integrator need no code for it.
     kFeatureBackwards = 1u << 9,
+    /// So thin on the screen that pixels would miss it: drawn as a line where it is; in the air only.
+    kFeatureLine = 1u << 10,
 };
 using LightFeatures = std::uint32_t;
 

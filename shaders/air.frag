@@ -107,6 +107,38 @@ vec4 goboTableTexel(vec2 place, float layer) {
 #ifdef BACKWARDS
 #include "include/beam_backwards.glsl"
 #endif
+#ifdef LINE
+#include "include/beam_line_filter.glsl"
+#include "include/beam_line.glsl"
+uniform float beamRangeM;
+
+BeamLine beamLine() {
+    return makeBeamLine(vec3(row0.w, row1.w, row2.w), vec3(row0.x, row1.x, row2.x), vec3(row0.y, row1.y, row2.y), vec3(row0.z, row1.z, row2.z),
+                        pixelAngle(), beamOptics());
+}
+
+BeamLine axisLine = beamLine();
+
+float rayShareAt(LampSample here) {
+    return rayShare(axisLine, here.distanceM * here.cosAxis, lineDepth(axisLine, here.direction * here.distanceM));
+}
+
+#ifdef GOBO
+// Mean over the disc; black around it.
+vec3 meanAperture() {
+    vec3 sum = vec3(0.0);
+    for (int quarter = 0; quarter < 4; ++quarter) sum += goboTexel(vec2(quarter % 2, quarter / 2) * 0.5 + 0.25, 16.0);
+    return min(sum / PI, 1.0);
+}
+#else
+vec3 meanAperture() { return vec3(1.0); }
+#endif
+
+// What the beam sends to the eye where it is a line, over scattering.
+vec3 lineLight(BeamOptics optics, HazeMedium haze, float endM) {
+    return meanAperture() * (lens.z * lineRadiance(axisLine, optics, haze, toLamp(viewRay()), endM, beamRangeM));
+}
+#endif
 
 #ifndef UNIFORM
 // What the lit part of the ray sends to the eye, for integrals see beam_integral.glsl.
@@ -137,6 +169,11 @@ vec3 litLight(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) {
     vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, goboTaps, shade, intervals, darkPlaces(shade, intervals));
 #else
     vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, goboTaps, ShadeLine(0.0, 0.0, vec3(0.0), vec3(0.0)), 0, 0);
+#endif
+#ifdef LINE
+    // A gobo's integral has no profile to carry the share.
+    float unused;
+    sum *= rayShareAt(arcSample(ray, arc, 0.5, optics.apexToLensM, unused));
 #endif
 #else
 #if defined(FLAT_PROFILE)
@@ -178,6 +215,9 @@ void main() {
 #else
     LitPart lit = litPart(ray, optics, haze, endM);
     vec3 relative = lit.some ? litLight(ray, optics, haze, lit) * (haze.scatteringPerM / ray.h) : vec3(0.0);
+#ifdef LINE
+    relative += lineLight(optics, haze, endM) * haze.scatteringPerM;
+#endif
 #endif
     if (relative == vec3(0.0)) discard;
 #ifdef COUNT

@@ -28,6 +28,19 @@ flat out vec4 lens;
 #include "include/shadow_face_input.glsl"
 #endif
 
+#ifdef LINE
+#include "include/real.glsl"
+#include "include/beam_line_filter.glsl"
+uniform vec2 viewportPx;
+uniform vec2 viewTangent;
+
+// The filter's reach, and a little, around the axis at an axial distance [m]. The distance to the eye is convex along the axis, so that between the
+// ends the hull is wider than it must be.
+float filterReachM(float axialM) {
+    return 1.1 * LINE_REACH * 2.0 * viewTangent.y / viewportPx.y * length(vec3(beamRow0.w, beamRow1.w, beamRow2.w + axialM));
+}
+#endif
+
 // Beams wider than this (half angle 60 degrees) get a prism around everything within range instead.
 const float WIDE_COS = 0.5;
 
@@ -35,8 +48,14 @@ vec3 hullCorner() {
     if (beamCone.x < WIDE_COS) {
         return vec3(corner.xy * (beamRangeM * circumscribe), beamRangeM * (1.0 - 2.0 * corner.z));
     }
-    float axialM = mix(beamLight.w, beamRangeM, corner.z);
-    return vec3(corner.xy * (axialM * circumscribe * beamCone.y / beamCone.x), -axialM);
+    float axialM = beamLight.w + corner.z * beamRangeM;
+    float radiusM = axialM * beamCone.y / beamCone.x;
+#ifdef LINE
+    float reachM = filterReachM(axialM);
+    radiusM += reachM;
+    axialM -= corner.z > 0.0 ? 0.0 : reachM;
+#endif
+    return vec3(corner.xy * (radiusM * circumscribe), -axialM);
 }
 
 void main() {

@@ -59,15 +59,24 @@ void move(StabilityCase& one, const glm::dvec3& by) {
 void addAngles(std::vector<StabilityCase>& cases) {
     for (const double half :
          {0.01, 0.05, 0.1, 0.5, 2.0, 45.0, 60.0, 85.0, 89.99, 90.0, 90.01, 120.0, 170.0, 179.0}) {
-        // Beams narrower than a pixel are means over pixels, which no single ray has.
-        const Expectation expectation = half < 0.2 ? Expectation::kLight : Expectation::kOracle;
-        cases.push_back(with(
-            fmt::format("half angle {:g} deg", half),
-            [&](StabilityCase& one) { beamOf(one).fieldAngleRad = glm::radians(2.0 * half); }, expectation));
+        cases.push_back(with(fmt::format("half angle {:g} deg", half), [&](StabilityCase& one) {
+            beamOf(one).fieldAngleRad = glm::radians(2.0 * half);
+        }));
     }
-    cases.push_back(with(
-        "zero-length cone: half angle 0", [](StabilityCase& one) { beamOf(one).fieldAngleRad = 0.0; },
-        Expectation::kAnything));
+    for (const double half : {0.01, 0.1}) {
+        cases.push_back(
+            with(fmt::format("half angle {:g} deg, a point source", half), [&](StabilityCase& one) {
+                beamOf(one).fieldAngleRad = glm::radians(2.0 * half);
+                beamOf(one).lensRadiusM = 0.0;
+            }));
+    }
+    cases.push_back(
+        with("zero-length cone: half angle 0", [](StabilityCase& one) { beamOf(one).fieldAngleRad = 0.0; }));
+    cases.push_back(with("half angle 179 deg, soft", [](StabilityCase& one) {
+        beamOf(one).edge = render::BeamEdge::kSoft;
+        beamOf(one).fieldAngleRad = glm::radians(358.0);
+        beamOf(one).beamAngleRad = glm::radians(250.0);
+    }));
     for (const double beamShare : {0.02, 0.5, 0.999}) {
         cases.push_back(with(fmt::format("soft edge, half the light at {:g} of the field", beamShare),
                              [&](StabilityCase& one) {

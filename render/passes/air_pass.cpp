@@ -81,14 +81,17 @@ void AirPass::drawHulls(const LightInputs& in, const std::vector<BeamGroup>& gro
     for (std::size_t i = 0; i < groups.size(); ++i) batch_.drawHulls(i);
 }
 
-std::vector<GpuBeam> AirPass::withRules(const LightInputs& in, const std::vector<BeamGroup>& groups) {
+std::vector<GpuBeam> AirPass::withProfiles(const LightInputs& in, const std::vector<BeamGroup>& groups) {
     std::vector<GpuBeam> beams = in.beams;
     rules_.beginFrame();
     for (const BeamGroup& group : groups) {
-        if (!takesProfileRules(group.features)) continue;
         for (const int beam : group.beams) {
             const auto index = static_cast<std::size_t>(beam);
-            beams[index].lens.y = static_cast<float>(rules_.row(in.plan.shapes[index]));
+            const BeamShape& shape = in.plan.shapes[index];
+            if (takesProfileRules(group.features))
+                beams[index].lens.y = static_cast<float>(rules_.row(shape));
+            if ((group.features & kFeatureLine) != 0)
+                beams[index].lens.z = static_cast<float>(profileSolidAngle(shape));
         }
     }
     return beams;
@@ -104,7 +107,7 @@ void AirPass::count(const LightInputs& in, const std::vector<BeamGroup>& groups,
 
 void AirPass::drawWith(const LightInputs& in, const std::vector<BeamGroup>& groups, LightFeatures further,
                        float countedAs) {
-    batch_.upload(groups, withRules(in, groups));
+    batch_.upload(groups, withProfiles(in, groups));
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const LightFeatures features = groups[i].features | further;
         const gl::Program& program = variant(features);

@@ -33,8 +33,8 @@ class AirPass {
     void makeNoise(std::uint32_t seed);
     void setNoise(const gl::Program& program, const LightInputs& in);
 
-    /// The beams with the rows of their profiles' rules.
-    std::vector<GpuBeam> withRules(const LightInputs& in, const std::vector<BeamGroup>& groups);
+    /// The beams with what the air asks of their profiles: the rows of their rules, or their solid angles.
+    std::vector<GpuBeam> withProfiles(const LightInputs& in, const std::vector<BeamGroup>& groups);
 
     std::filesystem::path shaderFolder_;
     std::map<LightFeatures, gl::Program> variants_;

@@ -17,13 +17,21 @@ struct HazeMedium {
     Real forwardWeight;
 };
 
-// Relative intensity towards a sample of the beam.
+#ifdef LINE
+Real rayShareAt(LampSample here);  // see beam_line.glsl and air.frag
+#endif
+
+// Relative intensity towards a sample of the beam; with LINE, what of it is drawn by rays.
 Real beamProfile(BeamOptics optics, LampSample here) {
 #if defined(WEB)
-    return webAt(here.direction);
+    Real relative = webAt(here.direction);
 #elif defined(FLAT_PROFILE)
-    return Real(1.0);
+    Real relative = Real(1.0);
 #else
-    return optics.exponent > Real(0.0) ? softProfile(atan(here.sinAxis, here.cosAxis), optics.beamHalfAngle, optics.exponent) : Real(1.0);
+    Real relative = optics.exponent > Real(0.0) ? softProfile(atan(here.sinAxis, here.cosAxis), optics.beamHalfAngle, optics.exponent) : Real(1.0);
 #endif
+#ifdef LINE
+    relative *= rayShareAt(here);
+#endif
+    return relative;
 }

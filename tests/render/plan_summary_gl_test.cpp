@@ -165,6 +165,21 @@ TEST_F(PlanSummaryGlTest, GridWebAndWideLampAreAsPlanned) {
     expectAsPlanned(wide.summary, *wide.renderer);
 }
 
+TEST_F(PlanSummaryGlTest, BeamsAsLinesAreAsPlanned) {
+    for (const bool isThin : {true, false}) {
+        const Drawn drawn = drawFresh([&](FeatureScene& made) {
+            if (!isThin) return;
+            made.scene.beams.back().fieldAngleRad = 0.002;
+            made.scene.beams.back().beamAngleRad = 0.001;
+        });
+        expectAsPlanned(drawn.summary, *drawn.renderer);
+        const auto part = std::ranges::find(drawn.summary.parts, "beams as lines", &FramePart::name);
+        ASSERT_NE(part, drawn.summary.parts.end());
+        EXPECT_EQ(part->needed, isThin);
+        if (!part->needed) expectNoneOf(*part, *drawn.renderer);
+    }
+}
+
 TEST_F(PlanSummaryGlTest, LampsThatShineBackwardsAreAsPlanned) {
     for (const render::Integrator integrator : {render::Integrator::kAngle, render::Integrator::kUniform}) {
         const Drawn drawn = drawFresh([&](FeatureScene& made) {

@@ -201,6 +201,25 @@ TEST(ScenePlan, OnlyALampWiderThanAHalfSpaceShinesBackwards) {
     EXPECT_EQ(onlyFeatures(plan(scene, thesis)) & render::kFeatureBackwards, 0u);
 }
 
+TEST(ScenePlan, OnlyAThinBeamIsALine) {
+    Scene scene = sceneWithBall({9.0, 0.0, 2.0});
+    Beam& beam = scene.beams.front();
+    beam.edge = render::BeamEdge::kFlat;
+    beam.lensRadiusM = 0.0;
+    for (const double fieldDeg : {0.02, 0.5, 10.0}) {
+        beam.fieldAngleRad = glm::radians(fieldDeg);
+        const ScenePlan p = plan(scene);
+        EXPECT_EQ(onlyFeatures(p), render::kFeatureFlat | (fieldDeg < 1.0 ? render::kFeatureLine : 0u))
+            << fieldDeg;
+        expectListed(p.airGroups, render::allAirVariants());
+        for (const render::BeamGroup& group : p.surfaceGroups)
+            EXPECT_EQ(group.features & render::kFeatureLine, 0u);
+        render::Settings thesis;
+        thesis.integrator = render::Integrator::kUniform;
+        EXPECT_EQ(onlyFeatures(plan(scene, thesis)) & render::kFeatureLine, 0u);
+    }
+}
+
 TEST(ScenePlan, ALampThatHidesItsLensHasNone) {
     Scene scene = sceneWithBall({9.0, 0.0, 2.0});
     scene.beams.front().showsLens = false;
