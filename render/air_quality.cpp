@@ -26,15 +26,16 @@ int gridStepFor(double maxError) {
 AirQuality airQualityFor(double maxError) {
     AirQuality quality;
     quality.gridStep = gridStepFor(maxError);
-    // Pixels that err as much as they may are few, but in a picture of few pixels they are many.
-    quality.gridTolerance = std::max(std::min(2.0 * maxError, 0.03), 0.8 * maxError);
+    // Pixels that err as much as they may are few: over a picture of many pixels, and small ones have no grid, it
+    // is a quarter of that, as long as it is little.
+    quality.gridTolerance = std::max(std::min(4.0 * maxError, 0.08), 0.8 * maxError);
     // What each number may cost: errors of different origin add up as squares, and hardly ever are two at
     // their worst.
     const double each = 0.6 * maxError;
     // Edges of shadows are found by bisection: what is missed are bodies between two looks.
     quality.shadowIntervals = count(std::sqrt(1.2 / each), 8, 29);
     // A gobo in even cells, as blurred as they are long.
-    quality.goboTaps = count(std::sqrt(24.0 / each), 12, 512);
+    quality.goboTaps = count(std::sqrt(6.0 / each), 12, 512);
     quality.goboTolerance = 1.6 * maxError;
     quality.goboLevelsApart = maxError >= kLeastTableError ? 1.0 : 0.0;
     // Even looks at uneven haze, each the mean around it.

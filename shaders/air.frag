@@ -164,11 +164,13 @@ vec3 litLight(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) {
 #endif
 
 #if defined(GOBO)
+    // From within a beam its gobo is seen along its edges.
+    int cells = lit.fromEye ? 4 * goboTaps : goboTaps;
 #ifdef SHADOW
     ShadeLine shade = makeShadeLine(ray, shadeFrom, shadeTo);
-    vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, goboTaps, shade, intervals, darkPlaces(shade, intervals));
+    vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, cells, shade, intervals, darkPlaces(shade, intervals));
 #else
-    vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, goboTaps, ShadeLine(0.0, 0.0, vec3(0.0), vec3(0.0)), 0, 0);
+    vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, cells, ShadeLine(0.0, 0.0, vec3(0.0), vec3(0.0)), 0, 0);
 #endif
 #ifdef LINE
     // A gobo's integral has no profile to carry the share.

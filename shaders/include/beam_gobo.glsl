@@ -81,6 +81,8 @@ struct GoboPart {
     float spread;
     int cells;
     float cellLevel;  // mip level at which a texel is as long as what a look at a cell stands for
+    float fieldTangent;
+    float fieldHalfAngle;
     bool asTabled;    // profile as the table has it: smoothPart holds the ratio of the true one to it
     bool steep;       // the cubic does not follow: all is looked at in each cell
 };
@@ -99,9 +101,8 @@ float densityOnLine(LampRay ray, GoboLine line, float tangent, float apart) {
 }
 
 // Profile at a place on the gobo, of which the field is the unit disc.
-float goboProfile(BeamOptics optics, float place, bool asTabled) {
-    float perTangent = length(gobo.yz);
-    return softProfile(asTabled ? place * atan(1.0, perTangent) : atan(place, perTangent), optics.beamHalfAngle, optics.exponent);
+float goboProfile(BeamOptics optics, GoboPart part, float place) {
+    return softProfile(part.asTabled ? place * part.fieldHalfAngle : atan(place * part.fieldTangent), optics.beamHalfAngle, optics.exponent);
 }
 
 // Texels of a look over those of its cell: the means over squares that mip levels are hold more than the line, and less would leave gaps.
@@ -116,7 +117,7 @@ vec3 goboCell(LampRay ray, BeamOptics optics, HazeMedium haze, GoboPart part, fl
     through *= webAt(ray.across * (part.line.middle.x - part.line.middle.y * tangent) +
                      ray.along * (part.line.middle.y + part.line.middle.x * tangent));
 #elif !defined(FLAT_PROFILE)
-    through *= goboProfile(optics, length(place), part.asTabled);
+    through *= goboProfile(optics, part, length(place));
 #endif
     float kernel = cubicAt(part.smoothPart, y / part.spread);
     // A loop, since it is loops alone that skip work where pixels are drawn in step.
@@ -190,6 +191,8 @@ GoboPart goboPart(LampRay ray, BeamOptics optics, HazeMedium haze, GoboLine line
     for (int i = 0; i < 4; ++i) values[i] *= cubicPower(swirls, goboNode(i, 1.0));
 #endif
     part.smoothPart = cubicThrough(values);
+    part.fieldTangent = 1.0 / length(gobo.yz);
+    part.fieldHalfAngle = atan(part.fieldTangent);
     part.asTabled = whole;
     part.steep = missed > goboTolerance;
     // Cells are as long as those of a chord through the middle, shorter where much changes along them.
@@ -216,8 +219,7 @@ vec3 integrateGobo(LampRay ray, BeamOptics optics, HazeMedium haze, bool whole, 
     // A table holds the gobo alone, and a web is not smooth enough to be multiplied at four nodes.
     byTable = false;
 #endif
-    // From within a beam its gobo is seen along its edges.
-    GoboPart part = goboPart(ray, optics, haze, line, byTable, sFrom, sTo, whole ? cells : 2 * cells, values);
+    GoboPart part = goboPart(ray, optics, haze, line, byTable, sFrom, sTo, cells, values);
     byTable = byTable && !part.steep;
     vec3 sum = goboCells(ray, optics, haze, part, 0.0, byTable ? 0.0 : 1.0);
     int table = max(int(lens.w), 0);

@@ -21,6 +21,7 @@ Real beamKernel(LampSample here, BeamOptics optics, HazeMedium haze) {
 struct LitPart {
     bool some;   // there is one
     bool whole;  // it is all of the cone that the ray crosses
+    bool fromEye;  // the eye is in the cone
     Real from;
     Real to;
     Real fade;       // over this much of T the light falls to 1/e for want of clear air
@@ -36,6 +37,7 @@ LitPart litBetween(LampRay ray, HazeMedium haze, Real from, Real to) {
     lit.to = min(to, from + Real(11.5) * lit.fade);
     lit.some = lit.from < lit.to;
     lit.whole = false;
+    lit.fromEye = false;
     lit.singular = arcSingularities(haze);
     return lit;
 }
@@ -58,6 +60,7 @@ LitPart litPart(LampRay ray, BeamOptics optics, HazeMedium haze, Real tEnd) {
 #endif
     LitPart lit = litBetween(ray, haze, max(coneFrom, tangentAt(ray, sFrom)), min(coneTo, tangentAt(ray, sTo)));
     lit.some = lit.some && meets;
+    lit.fromEye = lit.from > coneFrom && sFrom == -ray.tClosest;
     lit.whole = lit.from == coneFrom && lit.to == coneTo && coneFrom > Real(0.0) && coneTo < FARTHEST_TANGENT;
     return lit;
 }
