@@ -26,8 +26,8 @@ int gridStepFor(double maxError) {
 AirQuality airQualityFor(double maxError) {
     AirQuality quality;
     quality.gridStep = gridStepFor(maxError);
-    // Pixels that err as much as they may are few: over a picture of many pixels, and small ones have no grid, it
-    // is a quarter of that, as long as it is little.
+    // Pixels that err as much as they may are few: over a picture of many pixels, and small ones have no
+    // grid, it is a quarter of that, as long as it is little.
     quality.gridTolerance = std::max(std::min(4.0 * maxError, 0.08), 0.8 * maxError);
     // What each number may cost: errors of different origin add up as squares, and hardly ever are two at
     // their worst.
