@@ -34,6 +34,8 @@ AirQuality airQualityFor(double maxError) {
     const double each = 0.6 * maxError;
     // Edges of shadows are found by bisection: what is missed are bodies between two looks.
     quality.shadowIntervals = count(std::sqrt(1.2 / each), 8, 29);
+    // An edge is then off by a quarter of 1 / (N 2^n) of the stretch.
+    quality.shadowBisections = maxError >= 0.01 ? 3 : 5;
     // A gobo in even cells, as blurred as they are long.
     quality.goboTaps = count(std::sqrt(6.0 / each), 12, 512);
     quality.goboTolerance = 1.6 * maxError;

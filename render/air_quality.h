@@ -10,6 +10,7 @@ struct AirQuality {
     double gridTolerance =
         0.0;                   ///< Estimated error that a pixel between nodes may have, a share of the light.
     int shadowIntervals = 16;  ///< Of the part of a ray that may be shaded; 4..29.
+    int shadowBisections = 5;  ///< Of an interval at an edge of a shadow; at least 1.
     int profilePairs = 4;  ///< Pairs of nodes on either side of a soft beam's axis, where a ray is cut; 2..4.
     int goboTaps = 32;     ///< Along the line on a gobo, where its table does not serve.
     double goboTolerance =

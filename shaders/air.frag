@@ -16,6 +16,7 @@ uniform float scatteringPerM;
 uniform vec3 phaseLobes;         // forward g, backward g, weight of the forward lobe
 uniform sampler2D profileRules;  // render/profile_rule.h
 uniform int shadowIntervals;     // of the stretch that something may shade
+uniform int shadowBisections;    // of an interval at an edge of a shadow
 uniform int profilePairs;         // of nodes on either side of the axis
 uniform int goboTaps;            // over the lit stretch
 uniform float goboTolerance;     // how far what is smooth along a gobo's line may be from a cubic, a share
@@ -167,10 +168,10 @@ vec3 litLight(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) {
     // From within a beam its gobo is seen along its edges.
     int cells = lit.fromEye ? 4 * goboTaps : goboTaps;
 #ifdef SHADOW
-    ShadeLine shade = makeShadeLine(ray, shadeFrom, shadeTo);
+    ShadeLine shade = makeShadeLine(ray, shadeFrom, shadeTo, shadowBisections);
     vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, cells, shade, intervals, darkPlaces(shade, intervals));
 #else
-    vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, cells, ShadeLine(0.0, 0.0, vec3(0.0), vec3(0.0)), 0, 0);
+    vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, cells, ShadeLine(0.0, 0.0, vec3(0.0), vec3(0.0), 0), 0, 0);
 #endif
 #ifdef LINE
     // A gobo's integral has no profile to carry the share.
@@ -188,7 +189,7 @@ vec3 litLight(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) {
     float smoothSum = integrateSoft(ray, optics, haze, lit, arc, profilePairs);
 #endif
 #ifdef SHADOW
-    smoothSum = max(smoothSum - integrateDark(ray, optics, haze, arc, shadeFrom, shadeTo, intervals), 0.0);
+    smoothSum = max(smoothSum - integrateDark(ray, optics, haze, arc, shadeFrom, shadeTo, intervals, shadowBisections), 0.0);
 #endif
     vec3 sum = vec3(smoothSum);
 #endif

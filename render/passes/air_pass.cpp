@@ -34,6 +34,7 @@ void AirPass::setHaze(const gl::Program& program, const LightInputs& in) {
     gl::bindTexture(kProfileUnit, GL_TEXTURE_2D, rules_.texture());
     const AirQuality quality = airQuality(in.settings);
     program.set("shadowIntervals", quality.shadowIntervals);
+    program.set("shadowBisections", quality.shadowBisections);
     program.set("profilePairs", quality.profilePairs);
     program.set("goboTaps", quality.goboTaps);
     program.set("goboTolerance", static_cast<float>(quality.goboTolerance));

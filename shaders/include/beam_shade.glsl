@@ -16,11 +16,12 @@ struct ShadeLine {
     Real sTo;
     Real3 from;
     Real3 to;
+    int bisections;  // of an interval at an edge of a shadow
 };
 
-ShadeLine makeShadeLine(LampRay ray, Real sFrom, Real sTo) {
+ShadeLine makeShadeLine(LampRay ray, Real sFrom, Real sTo, int bisections) {
     Real3 closest = ray.across * ray.h;
-    return ShadeLine(sFrom, sTo, shadePlace(closest + ray.along * sFrom), shadePlace(closest + ray.along * sTo));
+    return ShadeLine(sFrom, sTo, shadePlace(closest + ray.along * sFrom), shadePlace(closest + ray.along * sTo), bisections);
 }
 
 bool seesLampFrom(ShadeLine line, Real x) { return placeSeesLamp(line.from + (line.to - line.from) * x); }
@@ -44,8 +45,7 @@ int darkPlaces(ShadeLine line, int intervals) {
     return intervals > 0 ? dark : 0;
 }
 
-// The first run of dark places, taken out of `dark`: from where to where, in x, its ends found by bisection to 1/64 of an interval. False if there
-// is none.
+// The first run of dark places, taken out of `dark`: from where to where, in x, its ends found by bisection. False if there is none.
 bool nextDarkRun(ShadeLine line, int intervals, INOUT(int) dark, OUT(Real) from, OUT(Real) to) {
     Real apart = Real(1.0) / Real(max(intervals, 1));
     int first = findLSB(dark);
@@ -57,7 +57,7 @@ bool nextDarkRun(ShadeLine line, int intervals, INOUT(int) dark, OUT(Real) from,
     Real litBehind = Real(min(last + 1, intervals)) * apart;
     from = Real(first) * apart;
     to = Real(last) * apart;
-    int steps = some ? 5 : 1;
+    int steps = some ? line.bisections : 1;
     int step = 0;
     do {
         Real before = Real(0.5) * (litBefore + from);
@@ -81,8 +81,9 @@ int shadeIntervals(LitPart lit, Real sFrom, Real sTo, Real litFrom, Real litTo, 
 }
 
 // The integral over what is lit but for the bodies in the way, within sFrom..sTo [m].
-Real integrateDark(LampRay ray, BeamOptics optics, HazeMedium haze, Arc arc, Real sFrom, Real sTo, int intervals) {
-    ShadeLine line = makeShadeLine(ray, sFrom, sTo);
+Real integrateDark(LampRay ray, BeamOptics optics, HazeMedium haze, Arc arc, Real sFrom, Real sTo, int intervals,
+                   int bisections) {
+    ShadeLine line = makeShadeLine(ray, sFrom, sTo, bisections);
     int dark = darkPlaces(line, intervals);
     Real sum = Real(0.0);
     do {

@@ -15,6 +15,7 @@ TEST(AirQuality, ASmallerErrorNeverAsksForLess) {
         EXPECT_LE(finer.gridStep, coarser.gridStep) << error;
         EXPECT_LE(finer.gridTolerance, coarser.gridTolerance) << error;
         EXPECT_GE(finer.shadowIntervals, coarser.shadowIntervals) << error;
+        EXPECT_GE(finer.shadowBisections, coarser.shadowBisections) << error;
         EXPECT_GE(finer.profilePairs, coarser.profilePairs) << error;
         EXPECT_GE(finer.goboTaps, coarser.goboTaps) << error;
         EXPECT_LT(finer.goboTolerance, coarser.goboTolerance) << error;
