@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <random>
 
 #include "app/report/oracle_air.h"
@@ -76,7 +77,9 @@ std::vector<double> relativeErrors(const FloatImage& picture, const std::vector<
         if (expected[i] < 0.0) continue;
         const double scale = std::max(expected[i], darkest);
         const double error = std::abs(sumAt(picture, pixels[i]) - expected[i]);
-        if (scale > 0.0 || error > 0.0) errors.push_back(scale > 0.0 ? error / scale : 1.0);
+        // Of what a float cannot tell from nothing, nothing is right.
+        const bool isNothing = scale < double{std::numeric_limits<float>::min()};
+        if (!isNothing || error > scale) errors.push_back(isNothing ? 1.0 : error / scale);
     }
     return errors;
 }
