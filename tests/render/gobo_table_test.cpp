@@ -350,7 +350,7 @@ TEST(GoboTable, AColouredGoboHasALayerForEachColour) {
 // of two levels.
 TEST(GoboTable, TheBlurMayChangeAlongALine) {
     const GoboLamp lamp = softLamp(12.0, 0.9);
-    Rays rays(lamp, 500);
+    Rays rays(lamp, 150);
     const auto shareOfBlurrier = [](const glm::dvec2& q) { return 0.5 + 0.4 * q.x; };
     for (const NamedGobo& gobo : drawnGobos()) {
         const GoboTable table = buildGoboTable(gobo.picture, goboProfile(lamp));
