@@ -377,27 +377,35 @@ std::size_t beamsWith(const SummaryInputs& in, LightFeature feature) {
     return beams;
 }
 
+/// Code that some beams in the air need. `thesis` says why the thesis' integrator has none of it, `none` why
+/// no beam needs it.
+FramePart beamCode(const SummaryInputs& in, LightFeature feature, const char* name, const char* thesis,
+                   const char* none) {
+    FramePart part = named(name, usesFeature(in.plan, feature));
+    part.reason = !in.plan.air                                     ? kNoLightInTheAir
+                  : in.settings.integrator == Integrator::kUniform ? thesis
+                                                                   : none;
+    part.features = featureDefines(feature);
+    return part;
+}
+
 FramePart lampsBackwards(const SummaryInputs& in) {
-    const std::size_t beams = beamsWith(in, kFeatureBackwards);
-    FramePart part = named("light backwards", beams > 0);
-    part.reason = part.needed    ? ofLit(beams, in, "shines", "shine", "backwards, too")
-                  : !in.plan.air ? kNoLightInTheAir
-                  : in.settings.integrator == Integrator::kUniform
-                      ? "the thesis' integrator takes every angle alike"
-                      : "no lit lamp without a web is wider than 180 degrees";
-    part.features = featureDefines(kFeatureBackwards);
+    FramePart part =
+        beamCode(in, kFeatureBackwards, "light backwards", "the thesis' integrator takes every angle alike",
+                 "no lit lamp without a web is wider than 180 degrees");
+    if (part.needed)
+        part.reason = ofLit(beamsWith(in, kFeatureBackwards), in, "shines", "shine", "backwards, too");
     return part;
 }
 
 FramePart lines(const SummaryInputs& in) {
-    const std::size_t beams = beamsWith(in, kFeatureLine);
-    FramePart part = named("beams as lines", beams > 0);
-    part.reason = part.needed    ? ofLit(beams, in, "is", "are", "thinner than two pixels over a length")
-                  : !in.plan.air ? kNoLightInTheAir
-                  : in.settings.integrator == Integrator::kUniform
-                      ? "the thesis' integrator takes every pixel's ray alone"
-                      : "no lit lamp's beam is thinner than two pixels over a length";
-    part.features = featureDefines(kFeatureLine);
+    FramePart part =
+        beamCode(in, kFeatureLine, "beams as lines", "the thesis' integrator takes every pixel's ray alone",
+                 "no lit lamp's beam is thinner than two pixels over a length");
+    if (part.needed) {
+        part.reason =
+            ofLit(beamsWith(in, kFeatureLine), in, "is", "are", "thinner than two pixels over a length");
+    }
     return part;
 }
 

@@ -1,4 +1,4 @@
-// Gauss' quadrature rules with a soft beam's profile as their weight, see integrateWholeChord in
+// Gauss' quadrature rules with a soft beam's profile as their weight, see integrateSoft in
 // shaders/include/beam_integral.glsl.
 #pragma once
 

@@ -69,7 +69,6 @@ struct ScenePlan {
 /// Is there a group of beams in the air, on surfaces or among the lenses that needs this feature?
 bool usesFeature(const ScenePlan& plan, LightFeature feature);
 
-/// `meshBounds[i]` encloses MeshId i in its own space, `webs[i]` is what WebId i stands for.
 /// Does the group's light in the air take quadrature rules for soft profiles (render/profile_rule.h), as far
 /// as its beams have any?
 bool takesProfileRules(LightFeatures group);
@@ -77,6 +76,7 @@ bool takesProfileRules(LightFeatures group);
 /// Does any beam in the air have such a rule?
 bool usesProfileRules(const ScenePlan& plan);
 
+/// `meshBounds[i]` encloses MeshId i in its own space, `webs[i]` is what WebId i stands for.
 ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& settings,
                     std::span<const MeshBounds> meshBounds, std::span<const IesWeb> webs = {});
 

@@ -211,7 +211,7 @@ vec3 integrateGobo(LampRay ray, BeamOptics optics, HazeMedium haze, bool whole, 
     GoboLine line;
     bool meets = goboLine(ray, gobo.yz, optics.exponent, line);
     vec4 values;
-    // The table knows one blur for the whole line: enough unless the focus runs through it.
+    // The table takes a blur that changes evenly along the line: enough unless the focus runs through it.
     float levelFrom = max(goboLevel(ray, line, -0.7 * line.endTangent), 0.0);
     float levelTo = max(goboLevel(ray, line, 0.7 * line.endTangent), 0.0);
     bool byTable = whole && lens.w >= 0.0 && abs(levelFrom - levelTo) < goboLevelsApart;

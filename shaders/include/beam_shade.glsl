@@ -75,11 +75,6 @@ bool nextDarkRun(ShadeLine line, int intervals, INOUT(int) dark, OUT(Real) from,
     return some;
 }
 
-// How many intervals a part of the ray is divided into if all that is lit gets `intervals`.
-int shadeIntervals(LitPart lit, Real sFrom, Real sTo, Real litFrom, Real litTo, int intervals) {
-    return clamp(int(ceil(Real(intervals) * (sTo - sFrom) / (litTo - litFrom))), 4, intervals);
-}
-
 // The integral over what is lit but for the bodies in the way, within sFrom..sTo [m].
 Real integrateDark(LampRay ray, BeamOptics optics, HazeMedium haze, Arc arc, Real sFrom, Real sTo, int intervals,
                    int bisections) {
