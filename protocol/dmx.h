@@ -19,10 +19,15 @@ using Slots = std::array<std::uint8_t, kSlotCount>;
 using Clock = std::chrono::steady_clock;
 using TimePoint = Clock::time_point;
 
-enum class Transport : std::uint8_t { kArtNet, kSacn, kUsb };
+enum class Transport : std::uint8_t {
+    kArtNet,
+    kSacn,
+    kDmx,  ///< A plain DMX line: a USB interface, or a file that knows of no network.
+    kAny,  ///< Only in a patch: the same number on all of the others, merged.
+};
 
-/// A universe under the name its network gives it: an Art-Net Port-Address 0..32767, or an sACN
-/// universe 1..63999.
+/// A universe under the name its network gives it: an Art-Net Port-Address 0..32767, an sACN
+/// universe 1..63999, or the number of a DMX line from 1.
 struct UniverseId {
     Transport transport = Transport::kArtNet;
     std::uint16_t number = 0;

@@ -17,4 +17,12 @@ struct Endpoint {
     auto operator<=>(const Endpoint&) const = default;
 };
 
+/// The same for either version of IP.
+struct IpEndpoint {
+    std::array<std::uint8_t, 16> address{};  ///< Most significant byte first; IPv4: the first four, then 0.
+    bool isIpv6 = false;
+    std::uint16_t port = 0;
+    auto operator<=>(const IpEndpoint&) const = default;
+};
+
 }  // namespace hazer::protocol

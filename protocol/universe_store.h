@@ -1,23 +1,13 @@
 // What has arrived, universe by universe. The receiver writes, a frame takes one consistent set.
 #pragma once
 
-#include <map>
 #include <mutex>
 #include <span>
 
 #include "protocol/dmx.h"
+#include "protocol/universe_status.h"
 
 namespace hazer::protocol {
-
-/// One universe as it stands.
-struct Universe {
-    Slots slots{};                  ///< Slots beyond slotCount are 0.
-    std::uint16_t slotCount = 0;    ///< Slots in the last packet, 1..512.
-    std::uint64_t packetCount = 0;  ///< Packets taken since the start.
-    TimePoint lastReceived{};
-};
-
-using UniverseSet = std::map<UniverseId, Universe>;
 
 /// Thread-safe. Written by receiving threads, read once a frame.
 class UniverseStore {

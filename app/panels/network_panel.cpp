@@ -36,8 +36,10 @@ const char* transportName(protocol::Transport transport) {
             return "Art-Net";
         case protocol::Transport::kSacn:
             return "sACN";
-        case protocol::Transport::kUsb:
-            return "USB";
+        case protocol::Transport::kDmx:
+            return "DMX";
+        case protocol::Transport::kAny:
+            return "any";
     }
     return "";
 }
