@@ -1,4 +1,5 @@
-# Fails on an #include that follows an arrow which the architecture does not have (docs/architecture.md).
+# Fails on an #include that follows an arrow which the architecture does not have (docs/architecture.md), and on a source
+# that does not include its own header first: that is what shows that the header compiles alone.
 #   cmake -D ROOT=<source tree> -P tests/check_includes.cmake
 # Includes are written from the root, so the first folder of an include names the module that it reaches into.
 cmake_minimum_required(VERSION 3.25)
@@ -17,6 +18,13 @@ set(include_pattern "^[ \t]*#[ \t]*include[ \t]*[\"<]([^\">]+)[\">]")
 # Appends to `violations` each forbidden include of one file.
 function(check_file file module)
     file(STRINGS "${ROOT}/${file}" lines REGEX "${include_pattern}")
+    string(REGEX REPLACE "\\.cpp$" ".h" own_header "${file}")
+    if(NOT own_header STREQUAL file AND EXISTS "${ROOT}/${own_header}")
+        list(GET lines 0 first)
+        if(NOT first STREQUAL "#include \"${own_header}\"")
+            list(APPEND violations "${file} must include \"${own_header}\" first")
+        endif()
+    endif()
     foreach(line IN LISTS lines)
         string(REGEX MATCH "${include_pattern}" _ "${line}")
         set(included "${CMAKE_MATCH_1}")

@@ -2,9 +2,12 @@
 #   cmake -D WORK=<scratch folder> -P tests/check_includes_test.cmake
 cmake_minimum_required(VERSION 3.25)
 
-# Runs the check over a tree that holds one file with one line, and compares its verdict.
+# Runs the check over a tree that holds one file with one line, and the empty files named after it, and compares its verdict.
 function(expect verdict file line)
     file(REMOVE_RECURSE "${WORK}")
+    foreach(beside IN LISTS ARGN)
+        file(WRITE "${WORK}/${beside}" "")
+    endforeach()
     file(WRITE "${WORK}/${file}" "// A planted file.\n${line}\n")
     execute_process(COMMAND "${CMAKE_COMMAND}" -D "ROOT=${WORK}" -P "${CMAKE_CURRENT_LIST_DIR}/check_includes.cmake"
         RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE errors)
@@ -42,5 +45,9 @@ expect(allowed shaders/beam.frag "#include \"include/phase.glsl\"")
 expect(allowed render/glsl_as_cpp.h "#include \"shaders/include/phase.glsl\"")
 expect(allowed tests/shaders/phase_test.cpp "#include \"shaders/include/phase.glsl\"")
 expect(allowed tests/app/rig_test.cpp "#include \"app/rig.h\"")
+
+expect(refused app/rig.cpp "#include <vector>\n#include \"app/rig.h\"" app/rig.h)
+expect(refused app/rig.cpp "#include \"app/show.h\"" app/rig.h)
+expect(allowed app/rig.cpp "#include \"app/rig.h\"\n#include <vector>" app/rig.h)
 
 file(REMOVE_RECURSE "${WORK}")
