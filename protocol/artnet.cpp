@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "protocol/byte_reader.h"
+#include "protocol/field_writer.h"
 
 namespace hazer::protocol {
 namespace {
@@ -60,43 +61,6 @@ ArtNetPacket parsePoll(ByteReader& reader, std::span<const std::uint8_t> datagra
     if (flags & kPollFlagTargeted) poll.target = PortAddressRange{bottom, top};
     return poll;
 }
-
-// Writes fields one after another into a datagram that was zeroed, so that a skipped field is 0.
-class FieldWriter {
- public:
-    explicit FieldWriter(std::span<std::uint8_t> bytes) : rest_(bytes) {}
-
-    void skip(std::size_t count) { rest_ = rest_.subspan(count); }
-
-    void u8(std::uint8_t value) {
-        rest_[0] = value;
-        skip(1);
-    }
-
-    void u16BigEndian(std::uint16_t value) {
-        u8(static_cast<std::uint8_t>(value >> 8));
-        u8(static_cast<std::uint8_t>(value & 0xFF));
-    }
-
-    void u16LittleEndian(std::uint16_t value) {
-        u8(static_cast<std::uint8_t>(value & 0xFF));
-        u8(static_cast<std::uint8_t>(value >> 8));
-    }
-
-    void bytes(std::span<const std::uint8_t> values) {
-        std::copy(values.begin(), values.end(), rest_.begin());
-        skip(values.size());
-    }
-
-    // A text field that always ends with a NUL, cut if it must be.
-    void text(std::string_view value, std::size_t fieldSize) {
-        std::copy_n(value.begin(), std::min(value.size(), fieldSize - 1), rest_.begin());
-        skip(fieldSize);
-    }
-
- private:
-    std::span<std::uint8_t> rest_;
-};
 
 constexpr std::uint16_t kFirmwareVersion = 1;
 constexpr std::uint16_t kOemUnknown =

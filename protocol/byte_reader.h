@@ -34,6 +34,13 @@ class ByteReader {
         return bytes.empty() ? std::uint16_t{0} : static_cast<std::uint16_t>(bytes[0] << 8 | bytes[1]);
     }
 
+    std::uint32_t u32BigEndian() {
+        const auto bytes = take(4);
+        if (bytes.empty()) return 0;
+        return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 | std::uint32_t{bytes[2]} << 8 |
+               bytes[3];
+    }
+
     std::uint16_t u16LittleEndian() {
         const auto bytes = take(2);
         return bytes.empty() ? std::uint16_t{0} : static_cast<std::uint16_t>(bytes[1] << 8 | bytes[0]);
