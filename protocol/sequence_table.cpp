@@ -1,20 +1,8 @@
 #include "protocol/sequence_table.h"
 
+#include "protocol/sequence.h"
+
 namespace hazer::protocol {
-namespace {
-
-// Art-Net names no window. Packets overtake each other by a few places; a number much further back is a
-// sender that was restarted, which must not be shut out until it has counted up again.
-constexpr int kWindow = 20;
-
-// The difference as a signed byte makes 255 -> 1 and, for senders that count through 0, 255 -> 0 steps
-// forward.
-bool follows(std::uint8_t sequence, std::uint8_t last) {
-    const int distance = static_cast<std::int8_t>(static_cast<std::uint8_t>(sequence - last));
-    return distance > 0 || distance <= -kWindow;
-}
-
-}  // namespace
 
 bool SequenceTable::accept(const StreamKey& key, std::uint8_t sequence, TimePoint now) {
     if (sequence == 0) return true;
@@ -24,7 +12,7 @@ bool SequenceTable::accept(const StreamKey& key, std::uint8_t sequence, TimePoin
         return true;
     }
     Entry& entry = found->second;
-    if (now - entry.time <= kForgetAfter && !follows(sequence, entry.sequence)) return false;
+    if (now - entry.time <= kForgetAfter && !isInOrder(sequence, entry.sequence)) return false;
     entry = {sequence, now};
     return true;
 }
