@@ -49,6 +49,9 @@ Session::Session(Show show, const SessionOptions& options)
 void Session::listen(const std::optional<std::uint16_t>& port) {
     std::vector<ShowInput> inputs = show_.inputs;
     if (inputs.empty()) inputs.emplace_back();
+    for (const protocol::UniverseId universe : patch_.universes()) {
+        store_.change([&](protocol::UniverseMerger& merger) { merger.ask(universe); });
+    }
     for (const ShowInput& input : inputs) {
         protocol::ReceiverConfig config;
         config.address = input.address;
@@ -60,7 +63,7 @@ void Session::listen(const std::optional<std::uint16_t>& port) {
 
 void Session::advance(double dtS) {
     const protocol::TimePoint start = protocol::Clock::now();
-    store_.latch(latched_);
+    store_.latch(latched_, start);
     patch_.decode(latched_);
     patch_.step(dtS);
     timeS_ += dtS;
@@ -83,6 +86,7 @@ protocol::ReceiverCounters Session::counters() const {
         const protocol::ReceiverCounters one = receiver->counters();
         sum.dmx += one.dmx;
         sum.late += one.late;
+        sum.refused += one.refused;
         sum.polls += one.polls;
         sum.ignored += one.ignored;
         sum.malformed += one.malformed;

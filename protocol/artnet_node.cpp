@@ -5,18 +5,31 @@
 #include <algorithm>
 
 namespace hazer::protocol {
+namespace {
 
-ArtNetNode::ArtNetNode(ArtNetNodeConfig config, UniverseStore& store)
-    : config_(std::move(config)), store_(store), random_(config_.randomSeed) {
+// Sources are told apart by address, and two inputs of one sender by Physical (section Data Merging). The UDP
+// port is no part of it: a program that is started again comes from another one.
+SourceId artNetSource(Ipv4Address address, std::uint8_t physical) {
+    SourceId source;
+    source.transport = Transport::kArtNet;
+    std::ranges::copy(address, source.id.begin());
+    source.id[address.size()] = physical;
+    return source;
+}
+
+}  // namespace
+
+ArtNetNode::ArtNetNode(ArtNetNodeConfig config) : config_(std::move(config)), random_(config_.randomSeed) {
     auto& addresses = config_.portAddresses;
     std::sort(addresses.begin(), addresses.end());
     addresses.erase(std::unique(addresses.begin(), addresses.end()), addresses.end());
 }
 
-void ArtNetNode::receive(std::span<const std::uint8_t> datagram, Endpoint from, TimePoint now) {
+void ArtNetNode::receive(std::span<const std::uint8_t> datagram, Endpoint from, TimePoint now,
+                         UniverseMerger& merger) {
     const ArtNetPacket packet = parseArtNet(datagram);
     if (const auto* dmx = std::get_if<ArtDmx>(&packet)) {
-        takeDmx(*dmx, from, now);
+        takeDmx(*dmx, from, now, merger);
     } else if (const auto* poll = std::get_if<ArtPoll>(&packet)) {
         takePoll(*poll, from, now);
     } else {
@@ -24,12 +37,22 @@ void ArtNetNode::receive(std::span<const std::uint8_t> datagram, Endpoint from, 
     }
 }
 
-void ArtNetNode::takeDmx(const ArtDmx& dmx, Endpoint from, TimePoint now) {
+void ArtNetNode::takeDmx(const ArtDmx& dmx, Endpoint from, TimePoint now, UniverseMerger& merger) {
+    const UniverseId universe{Transport::kArtNet, dmx.portAddress};
+    const SourceId source = artNetSource(from.address, dmx.physical);
     if (!sequences_.accept({from, dmx.physical, dmx.portAddress}, dmx.sequence, now)) {
         ++counters_.late;
+        merger.countLate(universe, source);
         return;
     }
-    store_.set({Transport::kArtNet, dmx.portAddress}, dmx.slots, now);
+    Levels levels;
+    levels.universe = universe;
+    levels.source = source;
+    levels.slots = dmx.slots;
+    if (merger.show(levels, now) != Verdict::kTaken) {
+        ++counters_.refused;
+        return;
+    }
     ++counters_.dmx;
 }
 

@@ -12,7 +12,7 @@
 #include "protocol/artnet.h"
 #include "protocol/receiver_counters.h"
 #include "protocol/sequence_table.h"
-#include "protocol/universe_store.h"
+#include "protocol/universe_merger.h"
 
 namespace hazer::protocol {
 
@@ -39,11 +39,12 @@ class ArtNetNode {
     /// ignored.
     static constexpr std::size_t kMaxPendingReplies = 64;
 
-    ArtNetNode(ArtNetNodeConfig config, UniverseStore& store);
+    explicit ArtNetNode(ArtNetNodeConfig config);
 
-    /// Takes one datagram of any content: levels into the store, polls into the replies owed, all into the
+    /// Takes one datagram of any content: levels into the merger, polls into the replies owed, all into the
     /// counters.
-    void receive(std::span<const std::uint8_t> datagram, Endpoint from, TimePoint now);
+    void receive(std::span<const std::uint8_t> datagram, Endpoint from, TimePoint now,
+                 UniverseMerger& merger);
 
     /// When the next reply is due, if any is owed.
     std::optional<TimePoint> nextReplyDue() const;
@@ -59,7 +60,7 @@ class ArtNetNode {
     const ReceiverCounters& counters() const { return counters_; }
 
  private:
-    void takeDmx(const ArtDmx& dmx, Endpoint from, TimePoint now);
+    void takeDmx(const ArtDmx& dmx, Endpoint from, TimePoint now, UniverseMerger& merger);
     void takePoll(const ArtPoll& poll, Endpoint from, TimePoint now);
     void countRefusal(Refusal refusal);
     bool isAddressedTo(const ArtPoll& poll) const;
@@ -69,7 +70,6 @@ class ArtNetNode {
                               Ipv4Address ownAddress);
 
     ArtNetNodeConfig config_;
-    UniverseStore& store_;
     SequenceTable sequences_;
     std::vector<PendingReply> pending_;
     std::mt19937 random_;

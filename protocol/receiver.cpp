@@ -60,8 +60,9 @@ udp::socket boundSocket(asio::io_context& context, const udp::endpoint& local) {
 }  // namespace
 
 struct Receiver::Impl {
-    Impl(const ReceiverConfig& config, UniverseStore& store)
-        : node(nodeConfigFrom(config), store),
+    Impl(const ReceiverConfig& config, UniverseStore& universeStore)
+        : store(universeStore),
+          node(nodeConfigFrom(config)),
           socket(boundSocket(context, udpEndpoint(config.address, config.port))),
           port(socket.local_endpoint().port()),
           replyTimer(context),
@@ -81,7 +82,9 @@ struct Receiver::Impl {
     }
 
     void handle(std::span<const std::uint8_t> datagram) {
-        node.receive(datagram, endpointFrom(from), Clock::now());
+        store.change([&](UniverseMerger& merger) {
+            node.receive(datagram, endpointFrom(from), Clock::now(), merger);
+        });
         publishCounters();
         sendDueReplies();
         receiveNext();
@@ -127,6 +130,7 @@ struct Receiver::Impl {
     }
 
     asio::io_context context{1};
+    UniverseStore& store;
     ArtNetNode node;
     udp::socket socket;
     const std::uint16_t port;  // read by others, who must not touch the socket

@@ -23,7 +23,9 @@ namespace hazer::protocol {
 /// How sources of equal priority become one look.
 enum class MergeMode : std::uint8_t {
     kHighest,  ///< Highest takes precedence (HTP), slot by slot.
-    kLatest,   ///< Latest takes precedence (LTP): the whole last packet.
+    /// Latest takes precedence (LTP): the whole packet of the source whose levels changed last. A packet that
+    /// repeats its levels is not later, or two desks that both send all the time would flicker.
+    kLatest,
 };
 
 /// What becomes of a look when its last source is lost.
@@ -107,8 +109,10 @@ class UniverseMerger {
     /// Counts a packet that came out of order, for the status.
     void countLate(UniverseId universe, const SourceId& source);
 
+    /// Of one universe, known or not yet, in place of MergeRules.
     void setMode(UniverseId universe, MergeMode mode);
     MergeMode mode(UniverseId universe) const;
+    void setLoss(UniverseId universe, LossRule loss);
 
     /// ArtAddress AcCancelMerge: from the next levels on, only their source counts until another stays alone.
     void cancelMerge(UniverseId universe);
@@ -128,6 +132,9 @@ class UniverseMerger {
 
     /// Copies every look as it stands at `now`, a fade included. Reuses the nodes of `out`.
     void latch(UniverseSet& out, TimePoint now) const;
+
+    /// Universes that had to make room for others (MergeRules::unaskedUniverses).
+    std::uint64_t evictedUniverses() const;
 
     /// Everything there is to tell about universes and sources, at `now`, ascending by universe.
     std::vector<UniverseStatus> status(TimePoint now) const;

@@ -1,10 +1,12 @@
-// What has arrived, universe by universe. The receiver writes, a frame takes one consistent set.
+// A merger that several threads share: receivers write, a frame takes one consistent set.
 #pragma once
 
 #include <mutex>
-#include <span>
+#include <utility>
+#include <vector>
 
 #include "protocol/dmx.h"
+#include "protocol/universe_merger.h"
 #include "protocol/universe_status.h"
 
 namespace hazer::protocol {
@@ -12,17 +14,27 @@ namespace hazer::protocol {
 /// Thread-safe. Written by receiving threads, read once a frame.
 class UniverseStore {
  public:
-    /// Replaces the slots of one universe; missing slots become 0 (ETC's merger does the same). `slots`
-    /// holds 1..512 values.
-    void set(UniverseId id, std::span<const std::uint8_t> slots, TimePoint now);
+    explicit UniverseStore(MergeRules rules = {}) : merger_(rules) {}
 
-    /// Copies everything that stands now into `out`, as one consistent set. Reuses the nodes of `out`: once
-    /// it holds every universe, a latch does not allocate.
-    void latch(UniverseSet& out) const;
+    /// Runs `change(UniverseMerger&)` while nobody else has the merger, and gives back what it gives. A
+    /// receiver handles a whole batch of datagrams in one change. Times are best read inside, so that they do
+    /// not go back.
+    template <class Change>
+    decltype(auto) change(Change&& change) {
+        const std::lock_guard lock(mutex_);
+        return std::forward<Change>(change)(merger_);
+    }
+
+    /// Copies everything that stands at `now` into `out`, as one consistent set. Reuses the nodes of `out`:
+    /// once it holds every universe, a latch does not allocate.
+    void latch(UniverseSet& out, TimePoint now);
+
+    /// Everything there is to tell at `now`.
+    std::vector<UniverseStatus> status(TimePoint now);
 
  private:
-    mutable std::mutex mutex_;
-    UniverseSet universes_;
+    std::mutex mutex_;
+    UniverseMerger merger_;
 };
 
 }  // namespace hazer::protocol

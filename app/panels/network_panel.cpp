@@ -24,6 +24,8 @@ void drawCounters(const protocol::ReceiverCounters& counters) {
     if (!ImGui::BeginTable("counters", 2, ImGuiTableFlags_SizingStretchSame)) return;
     drawCounter("DMX packets", counters.dmx, "ArtDmx that was taken");
     drawCounter("late", counters.late, "ArtDmx that came after a newer one");
+    drawCounter("refused", counters.refused,
+                "ArtDmx of a third source of a universe, or of too many universes");
     drawCounter("polls", counters.polls, "ArtPoll that was answered");
     drawCounter("ignored", counters.ignored, "Art-Net that asks nothing of a visualizer");
     drawCounter("malformed", counters.malformed, "Not Art-Net, or broken");

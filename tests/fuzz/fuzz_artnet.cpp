@@ -25,17 +25,17 @@ void checkDmx(const ArtDmx& dmx) {
 }
 
 std::uint64_t total(const ReceiverCounters& c) {
-    return c.dmx + c.late + c.polls + c.ignored + c.malformed;
+    return c.dmx + c.late + c.refused + c.polls + c.ignored + c.malformed;
 }
 
 // The datagram twice, then the replies it is owed.
 void checkNode(std::span<const std::uint8_t> datagram) {
     const TimePoint start{std::chrono::hours(1)};
     const Endpoint desk{{10, 0, 0, 1}, kArtNetPort};
-    UniverseStore store;
-    ArtNetNode node({.portAddresses = {0, 1, kMaxPortAddress}}, store);
-    node.receive(datagram, desk, start);
-    node.receive(datagram, desk, start + std::chrono::milliseconds(10));
+    UniverseMerger merger;
+    ArtNetNode node({.portAddresses = {0, 1, kMaxPortAddress}});
+    node.receive(datagram, desk, start, merger);
+    node.receive(datagram, desk, start + std::chrono::milliseconds(10), merger);
     require(total(node.counters()) == 2);
     while (const auto reply = node.takeDueReply(start + std::chrono::seconds(1))) {
         require(node.packReply(*reply, {10, 0, 0, 9}).size() <= 3);

@@ -23,17 +23,17 @@ class ArtNetNodeTest : public testing::Test {
  protected:
     Universe universe(std::uint16_t portAddress) const {
         UniverseSet set;
-        store.latch(set);
+        merger.latch(set, kStart);
         return set[{Transport::kArtNet, portAddress}];
     }
 
-    std::vector<ArtPollReplyBytes> answersTo(ArtNetNode& node, const Bytes& poll) const {
-        node.receive(poll, kDesk, kStart);
+    std::vector<ArtPollReplyBytes> answersTo(ArtNetNode& node, const Bytes& poll) {
+        node.receive(poll, kDesk, kStart, merger);
         const auto reply = node.takeDueReply(kStart);
         return reply ? node.packReply(*reply, kOwnAddress) : std::vector<ArtPollReplyBytes>{};
     }
 
-    UniverseStore store;
+    UniverseMerger merger;
 };
 
 std::uint16_t portAddressOf(const ArtPollReplyBytes& reply) {
@@ -41,12 +41,12 @@ std::uint16_t portAddressOf(const ArtPollReplyBytes& reply) {
 }
 
 std::uint64_t total(const ReceiverCounters& c) {
-    return c.dmx + c.late + c.polls + c.ignored + c.malformed;
+    return c.dmx + c.late + c.refused + c.polls + c.ignored + c.malformed;
 }
 
 TEST_F(ArtNetNodeTest, PutsLevelsIntoTheStore) {
-    ArtNetNode node({}, store);
-    node.receive(dmxDatagram({.subUni = 0xFF, .net = 0x7F, .slots = {10, 200}}), kDesk, kStart);
+    ArtNetNode node({});
+    node.receive(dmxDatagram({.subUni = 0xFF, .net = 0x7F, .slots = {10, 200}}), kDesk, kStart, merger);
     const Universe taken = universe(0x7FFF);
     EXPECT_EQ(taken.slotCount, 2);
     EXPECT_EQ(taken.slots[0], 10);
@@ -56,9 +56,9 @@ TEST_F(ArtNetNodeTest, PutsLevelsIntoTheStore) {
 }
 
 TEST_F(ArtNetNodeTest, AShorterPacketTakesTheMissingSlotsToZero) {
-    ArtNetNode node({}, store);
-    node.receive(dmxDatagram({.slots = Bytes(512, 255)}), kDesk, kStart);
-    node.receive(dmxDatagram({.slots = {1, 2, 3}}), kDesk, kStart);
+    ArtNetNode node({});
+    node.receive(dmxDatagram({.slots = Bytes(512, 255)}), kDesk, kStart, merger);
+    node.receive(dmxDatagram({.slots = {1, 2, 3}}), kDesk, kStart, merger);
     EXPECT_EQ(universe(0).slotCount, 3);
     EXPECT_EQ(universe(0).slots[2], 3);
     EXPECT_EQ(universe(0).slots[3], 0);
@@ -66,25 +66,26 @@ TEST_F(ArtNetNodeTest, AShorterPacketTakesTheMissingSlotsToZero) {
 }
 
 TEST_F(ArtNetNodeTest, APacketOvertakenByANewerOneIsDropped) {
-    ArtNetNode node({}, store);
-    node.receive(dmxDatagram({.sequence = 2, .slots = {20}}), kDesk, kStart);
-    node.receive(dmxDatagram({.sequence = 1, .slots = {10}}), kDesk, kStart);
+    ArtNetNode node({});
+    node.receive(dmxDatagram({.sequence = 2, .slots = {20}}), kDesk, kStart, merger);
+    node.receive(dmxDatagram({.sequence = 1, .slots = {10}}), kDesk, kStart, merger);
     EXPECT_EQ(universe(0).slots[0], 20);
     EXPECT_EQ(node.counters().late, 1U);
     EXPECT_EQ(node.counters().dmx, 1U);
 }
 
-TEST_F(ArtNetNodeTest, OfTwoSourcesTheLatestPacketStands) {
-    ArtNetNode node({}, store);
+TEST_F(ArtNetNodeTest, TwoSourcesAreMergedAndNumberTheirPacketsEachForThemselves) {
+    ArtNetNode node({});
     const Endpoint otherDesk{{10, 0, 0, 2}, 6454};
-    node.receive(dmxDatagram({.sequence = 50, .slots = {50}}), kDesk, kStart);
-    node.receive(dmxDatagram({.sequence = 49, .slots = {49}}), otherDesk, kStart);
-    EXPECT_EQ(universe(0).slots[0], 49);
+    node.receive(dmxDatagram({.sequence = 50, .slots = {50}}), kDesk, kStart, merger);
+    node.receive(dmxDatagram({.sequence = 49, .slots = {49, 7}}), otherDesk, kStart, merger);
+    EXPECT_EQ(universe(0).slots[0], 50);
+    EXPECT_EQ(universe(0).slots[1], 7);
     EXPECT_EQ(node.counters().dmx, 2U);
 }
 
 TEST_F(ArtNetNodeTest, EveryDatagramIsCountedOnce) {
-    ArtNetNode node({.portAddresses = {1}}, store);
+    ArtNetNode node({.portAddresses = {1}});
     Bytes sync = pollDatagram();
     sync[9] = 0x52;
     Bytes oldVersion = dmxDatagram({});
@@ -97,7 +98,7 @@ TEST_F(ArtNetNodeTest, EveryDatagramIsCountedOnce) {
                                targetedPollDatagram(2, 9),
                                sync,
                                oldVersion};
-    for (const Bytes& datagram : datagrams) node.receive(datagram, kDesk, kStart);
+    for (const Bytes& datagram : datagrams) node.receive(datagram, kDesk, kStart, merger);
     const ReceiverCounters& counters = node.counters();
     EXPECT_EQ(counters.dmx, 1U);
     EXPECT_EQ(counters.polls, 1U);
@@ -107,7 +108,7 @@ TEST_F(ArtNetNodeTest, EveryDatagramIsCountedOnce) {
 }
 
 TEST_F(ArtNetNodeTest, AnswersWithOneReplyForEachPortAddress) {
-    ArtNetNode node({.portAddresses = {0x7FFF, 0, 0x123, 0}, .shortName = "stage"}, store);
+    ArtNetNode node({.portAddresses = {0x7FFF, 0, 0x123, 0}, .shortName = "stage"});
     const auto replies = answersTo(node, pollDatagram());
     ASSERT_EQ(replies.size(), 3U);
     EXPECT_EQ(portAddressOf(replies[0]), 0);
@@ -122,7 +123,7 @@ TEST_F(ArtNetNodeTest, AnswersWithOneReplyForEachPortAddress) {
 }
 
 TEST_F(ArtNetNodeTest, WithoutPortAddressesItStillShowsItself) {
-    ArtNetNode node({}, store);
+    ArtNetNode node({});
     const auto replies = answersTo(node, pollDatagram());
     ASSERT_EQ(replies.size(), 1U);
     EXPECT_EQ(replies[0][173], 0) << "NumPorts";
@@ -132,7 +133,7 @@ TEST_F(ArtNetNodeTest, WithoutPortAddressesItStillShowsItself) {
 TEST_F(ArtNetNodeTest, BindIndexNeverBecomesZero) {
     ArtNetNodeConfig config;
     for (std::uint16_t i = 0; i < 300; ++i) config.portAddresses.push_back(i);
-    ArtNetNode node(config, store);
+    ArtNetNode node(config);
     const auto replies = answersTo(node, pollDatagram());
     ASSERT_EQ(replies.size(), 300U);
     EXPECT_EQ(replies[254][211], 255);
@@ -140,7 +141,7 @@ TEST_F(ArtNetNodeTest, BindIndexNeverBecomesZero) {
 }
 
 TEST_F(ArtNetNodeTest, ATargetedPollIsAnsweredWithTheAddressesItNames) {
-    ArtNetNode node({.portAddresses = {1, 2, 3, 4}}, store);
+    ArtNetNode node({.portAddresses = {1, 2, 3, 4}});
     const auto replies = answersTo(node, targetedPollDatagram(2, 3));
     ASSERT_EQ(replies.size(), 2U);
     EXPECT_EQ(portAddressOf(replies[0]), 2);
@@ -151,9 +152,9 @@ TEST_F(ArtNetNodeTest, ATargetedPollIsAnsweredWithTheAddressesItNames) {
 }
 
 TEST_F(ArtNetNodeTest, RepliesGoToWhereThePollCameFrom) {
-    ArtNetNode node({}, store);
+    ArtNetNode node({});
     const Endpoint onAnEphemeralPort{{127, 0, 0, 1}, 40123};
-    node.receive(pollDatagram(), onAnEphemeralPort, kStart);
+    node.receive(pollDatagram(), onAnEphemeralPort, kStart, merger);
     const auto reply = node.takeDueReply(kStart);
     ASSERT_TRUE(reply);
     EXPECT_EQ(reply->to, onAnEphemeralPort);
@@ -162,9 +163,9 @@ TEST_F(ArtNetNodeTest, RepliesGoToWhereThePollCameFrom) {
 TEST_F(ArtNetNodeTest, RepliesWaitARandomTimeUpToTheMaximum) {
     std::set<TimePoint> times;
     for (std::uint32_t seed = 0; seed < 50; ++seed) {
-        ArtNetNode node({.maxPollReplyDelay = milliseconds(1000), .randomSeed = seed}, store);
+        ArtNetNode node({.maxPollReplyDelay = milliseconds(1000), .randomSeed = seed});
         EXPECT_FALSE(node.nextReplyDue());
-        node.receive(pollDatagram(), kDesk, kStart);
+        node.receive(pollDatagram(), kDesk, kStart, merger);
         const TimePoint due = node.nextReplyDue().value();
         EXPECT_GE(due, kStart);
         EXPECT_LE(due, kStart + milliseconds(1000));
@@ -177,9 +178,9 @@ TEST_F(ArtNetNodeTest, RepliesWaitARandomTimeUpToTheMaximum) {
 }
 
 TEST_F(ArtNetNodeTest, PollsOfOneDeskBeforeItsReplyShareIt) {
-    ArtNetNode node({.portAddresses = {1, 5, 9}}, store);
-    node.receive(targetedPollDatagram(1, 1), kDesk, kStart);
-    node.receive(targetedPollDatagram(5, 5), kDesk, kStart);
+    ArtNetNode node({.portAddresses = {1, 5, 9}});
+    node.receive(targetedPollDatagram(1, 1), kDesk, kStart, merger);
+    node.receive(targetedPollDatagram(5, 5), kDesk, kStart, merger);
     const auto reply = node.takeDueReply(kStart);
     ASSERT_TRUE(reply);
     EXPECT_EQ(node.packReply(*reply, kOwnAddress).size(), 2U);
@@ -188,9 +189,9 @@ TEST_F(ArtNetNodeTest, PollsOfOneDeskBeforeItsReplyShareIt) {
 }
 
 TEST_F(ArtNetNodeTest, AFloodOfPollersIsOwedABoundedNumberOfReplies) {
-    ArtNetNode node({}, store);
+    ArtNetNode node({});
     for (std::uint16_t port = 1; port <= 1000; ++port) {
-        node.receive(pollDatagram(), {{10, 0, 0, 1}, port}, kStart);
+        node.receive(pollDatagram(), {{10, 0, 0, 1}, port}, kStart, merger);
     }
     EXPECT_EQ(node.counters().polls, ArtNetNode::kMaxPendingReplies);
     EXPECT_EQ(node.counters().ignored, 1000 - ArtNetNode::kMaxPendingReplies);
@@ -200,7 +201,7 @@ TEST_F(ArtNetNodeTest, AFloodOfPollersIsOwedABoundedNumberOfReplies) {
 }
 
 TEST_F(ArtNetNodeTest, TheNodeReportCountsReplies) {
-    ArtNetNode node({}, store);
+    ArtNetNode node({});
     const auto first = answersTo(node, pollDatagram());
     const auto second = answersTo(node, pollDatagram());
     EXPECT_EQ(std::string_view(reinterpret_cast<const char*>(&first[0][108])), "#0001 [0001] Listening");

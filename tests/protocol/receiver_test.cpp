@@ -45,7 +45,7 @@ TEST(Receiver, TakesWhatTheSenderSends) {
     ASSERT_TRUE(comesTrue([&] { return receiver.counters().dmx == 3; }));
 
     UniverseSet set;
-    store.latch(set);
+    store.latch(set, Clock::now());
     ASSERT_EQ(set.size(), 2U);
     const Universe& lowest = set[{Transport::kArtNet, 0}];
     EXPECT_EQ(lowest.slotCount, 512);
