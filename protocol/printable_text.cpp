@@ -1,6 +1,5 @@
 #include "protocol/printable_text.h"
 
-#include <cstddef>
 #include <cstdint>
 
 namespace hazer::protocol {
@@ -48,13 +47,14 @@ std::string_view firstCharacter(std::string_view bytes) {
 
 }  // namespace
 
-std::string printableText(std::string_view bytes) {
+std::string printableText(std::string_view bytes, std::size_t maxSize) {
     std::string text;
-    text.reserve(bytes.size());
     while (!bytes.empty()) {
         const std::string_view character = firstCharacter(bytes);
         const bool isPrintable = !character.empty() && !isControl(character);
-        text += isPrintable ? character : kReplacement;
+        const std::string_view shown = isPrintable ? character : kReplacement;
+        if (text.size() + shown.size() > maxSize) break;
+        text += shown;
         bytes.remove_prefix(character.empty() ? 1 : character.size());
     }
     return text;

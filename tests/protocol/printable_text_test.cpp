@@ -35,5 +35,12 @@ TEST(PrintableText, ReplacesWhatIsNotUtf8) {
     EXPECT_EQ(printableText("\xFF\xFE"), kNo + kNo);
 }
 
+TEST(PrintableText, CutsBetweenCharacters) {
+    EXPECT_EQ(printableText(std::string(100, 'a')), std::string(64, 'a'));
+    EXPECT_EQ(printableText(std::string(63, '\xFF')).size(), 63U) << "21 times three bytes";
+    EXPECT_EQ(printableText("ab\xC3\xBC", 3), "ab");
+    EXPECT_EQ(printableText("ab\xC3\xBC", 4), "ab\xC3\xBC");
+}
+
 }  // namespace
 }  // namespace hazer::protocol
