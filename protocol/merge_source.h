@@ -4,9 +4,9 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <string>
 
+#include "protocol/deep_ptr.h"
 #include "protocol/dmx.h"
 #include "protocol/rate_meter.h"
 #include "protocol/universe_merger.h"
@@ -58,10 +58,10 @@ struct MergeSource {
     std::string name;
     std::string address;
     PacketLevels levels;
-    std::unique_ptr<HeldLevels> held;            ///< Null until it first has to wait.
-    std::unique_ptr<SlotPriorities> priorities;  ///< Null until it first sends some.
-    bool isAlive = false;                        ///< Levels came, and it was not lost since.
-    bool isShown = false;                        ///< Alive, and its levels have been shown since it came.
+    DeepPtr<HeldLevels> held;            ///< Null until it first has to wait.
+    DeepPtr<SlotPriorities> priorities;  ///< Null until it first sends some.
+    bool isAlive = false;                ///< Levels came, and it was not lost since.
+    bool isShown = false;                ///< Alive, and its levels have been shown since it came.
     bool isOverdue = false;  ///< Silent for its loss time; given up when the others are decided, too.
     bool isWaiting = false;  ///< In its sampling period: counts only if nobody else does.
     bool isSynchronized = false;

@@ -39,6 +39,25 @@ double fadeFactor(const Look& look, TimePoint now) {
 
 }  // namespace
 
+MergedUniverse::MergedUniverse(const MergedUniverse& other, const MergeRules& rules, SyncGroups& syncGroups)
+    : isAskedFor(other.isAskedFor),
+      rules_(rules),
+      syncGroups_(syncGroups),
+      looks_(other.looks_),
+      sources_(other.sources_),
+      only_(other.only_ ? find(other.only_->id) : nullptr),
+      cancelsMergeNext_(other.cancelsMergeNext_),
+      hasOverdue_(other.hasOverdue_),
+      deadline_(other.deadline_),
+      lastHeard_(other.lastHeard_),
+      changeNumber_(other.changeNumber_),
+      refused_(other.refused_) {
+    for (const auto& source : sources_) {
+        source->owner = this;
+        syncGroups_.restore(*source);
+    }
+}
+
 MergedUniverse::~MergedUniverse() {
     for (const auto& source : sources_) syncGroups_.remove(*source);
 }
@@ -98,7 +117,7 @@ MergeSource* MergedUniverse::place(const SourceId& id, TimePoint now) {
 
 MergeSource& MergedUniverse::insert(const SourceId& id) {
     const auto behind = std::ranges::find_if(sources_, [&](const auto& source) { return source->id > id; });
-    return **sources_.insert(behind, std::make_unique<MergeSource>(*this, id));
+    return **sources_.insert(behind, makeDeep<MergeSource>(*this, id));
 }
 
 // The one that was lost longest ago.
@@ -132,7 +151,7 @@ Verdict MergedUniverse::hold(const Levels& levels, SyncGroup group, TimePoint no
     if (!source) return Verdict::kTooManySources;
     const bool isChanged = hear(*source, now);
     syncGroups_.remove(*source);
-    if (!source->held) source->held = std::make_unique<HeldLevels>();
+    if (!source->held) source->held = makeDeep<HeldLevels>();
     source->held->levels.take(levels);
     syncGroups_.add(*source, group);
     source->isSynchronized = true;
@@ -199,7 +218,7 @@ Verdict MergedUniverse::setPriorities(const SourceId& id, std::span<const std::u
     advance(now);
     MergeSource* const source = place(id, now);
     if (!source) return Verdict::kTooManySources;
-    if (!source->priorities) source->priorities = std::make_unique<SlotPriorities>();
+    if (!source->priorities) source->priorities = makeDeep<SlotPriorities>();
     SlotPriorities& own = *source->priorities;
     const std::size_t count = std::min(priorities.size(), kSlotCount);
     own.slots.fill(0);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -36,6 +35,8 @@ class MergedUniverse {
  public:
     MergedUniverse(const MergeRules& rules, SyncGroups& syncGroups)
         : rules_(rules), syncGroups_(syncGroups) {}
+    /// A copy that belongs to other rules and groups: those of a copied merger.
+    MergedUniverse(const MergedUniverse& other, const MergeRules& rules, SyncGroups& syncGroups);
     ~MergedUniverse();
     MergedUniverse(const MergedUniverse&) = delete;
     MergedUniverse& operator=(const MergedUniverse&) = delete;
@@ -72,6 +73,7 @@ class MergedUniverse {
     /// The same or earlier, at no cost.
     TimePoint earliestDeadline() const { return deadline_; }
 
+    std::size_t sourceCount() const { return sources_.size(); }
     bool isLive() const;  ///< Any source is alive.
     bool isMerging(const Look& look) const;
     TimePoint lastHeard() const { return lastHeard_; }  ///< Any packet at all.
@@ -104,9 +106,10 @@ class MergedUniverse {
 
     const MergeRules& rules_;
     SyncGroups& syncGroups_;
+    // What follows is copied by the constructor that copies; scratch is not.
     std::vector<Look> looks_;
-    std::vector<std::unique_ptr<MergeSource>> sources_;  ///< Ascending by id.
-    const MergeSource* only_ = nullptr;                  ///< After cancelMerge, as long as it lives.
+    std::vector<DeepPtr<MergeSource>> sources_;  ///< Ascending by id.
+    const MergeSource* only_ = nullptr;          ///< After cancelMerge, as long as it lives.
     bool cancelsMergeNext_ = false;
     bool hasOverdue_ = false;
     TimePoint deadline_ = TimePoint::max();

@@ -9,7 +9,7 @@ bool SacnDiscoveredSources::take(const SacnDiscovery& page, const IpEndpoint& fr
     auto found = sources_.find(page.cid);
     if (found == sources_.end()) {
         if (!makeRoom(now)) return false;
-        found = sources_.emplace(page.cid, std::make_unique<Source>()).first;
+        found = sources_.emplace(page.cid, makeDeep<Source>()).first;
     }
     Source& source = *found->second;
     source.name = printableText(page.sourceName);

@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "protocol/deep_ptr.h"
 #include "protocol/dmx.h"
 #include "protocol/endpoint.h"
 #include "protocol/sacn.h"
@@ -54,7 +54,7 @@ class SacnDiscoveredSources {
 
     bool makeRoom(TimePoint now);
 
-    std::map<Cid, std::unique_ptr<Source>> sources_;
+    std::map<Cid, DeepPtr<Source>> sources_;
 };
 
 }  // namespace hazer::protocol

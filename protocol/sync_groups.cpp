@@ -1,5 +1,7 @@
 #include "protocol/sync_groups.h"
 
+#include <algorithm>
+
 namespace hazer::protocol {
 
 void SyncGroups::add(MergeSource& source, SyncGroup group) {
@@ -19,6 +21,13 @@ void SyncGroups::remove(MergeSource& source) {
     list.pop_back();
     source.held->isWaiting = false;
     if (list.empty()) ++emptyCount_;
+}
+
+void SyncGroups::restore(MergeSource& source) {
+    if (!source.isHolding()) return;
+    std::vector<MergeSource*>& list = groups_[source.held->group];
+    list.resize(std::max(list.size(), source.held->place + 1));
+    list[source.held->place] = &source;
 }
 
 MergeSource* SyncGroups::next(SyncGroup group) {

@@ -18,6 +18,10 @@ class SyncGroups {
     /// A source that does not wait is left as it is.
     void remove(MergeSource& source);
 
+    /// Puts a copied source where the one that it was copied from stands in the groups of its merger. Whole
+    /// once all sources of that merger have been restored.
+    void restore(MergeSource& source);
+
     /// One source that waits for `group`, or null; it goes on waiting.
     MergeSource* next(SyncGroup group);
 

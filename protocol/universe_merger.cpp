@@ -30,6 +30,18 @@ struct UniverseMerger::Impl {
 
     explicit Impl(MergeRules mergeRules) : rules(mergeRules) {}
 
+    Impl(const Impl& other)
+        : rules(other.rules),
+          settings(other.settings),
+          mergesTransports(other.mergesTransports),
+          unaskedCount(other.unaskedCount),
+          evictedCount(other.evictedCount),
+          nextEviction(other.nextEviction) {
+        for (const auto& [id, universe] : other.universes)
+            universes.try_emplace(id, universe, rules, syncGroups);
+    }
+    Impl& operator=(const Impl&) = delete;
+
     // Where the sources of a universe stand.
     UniverseId keyOf(UniverseId id) const {
         return mergesTransports[id.number] ? UniverseId{Transport::kAny, id.number} : id;
@@ -128,6 +140,10 @@ struct UniverseMerger::Impl {
 UniverseMerger::UniverseMerger(MergeRules rules) : impl_(std::make_unique<Impl>(rules)) {}
 
 UniverseMerger::~UniverseMerger() = default;
+UniverseMerger::UniverseMerger(const UniverseMerger& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+UniverseMerger& UniverseMerger::operator=(const UniverseMerger& other) {
+    return *this = UniverseMerger(other);
+}
 UniverseMerger::UniverseMerger(UniverseMerger&&) noexcept = default;
 UniverseMerger& UniverseMerger::operator=(UniverseMerger&&) noexcept = default;
 
@@ -254,6 +270,12 @@ void UniverseMerger::latch(UniverseSet& out, TimePoint now) const {
 
 std::uint64_t UniverseMerger::evictedUniverses() const {
     return impl_->evictedCount;
+}
+
+std::size_t UniverseMerger::sourceCount() const {
+    std::size_t count = 0;
+    for (const auto& [id, universe] : impl_->universes) count += universe.sourceCount();
+    return count;
 }
 
 std::vector<UniverseStatus> UniverseMerger::status(TimePoint now) const {

@@ -75,6 +75,8 @@ class UniverseMerger {
  public:
     explicit UniverseMerger(MergeRules rules = {});
     ~UniverseMerger();
+    UniverseMerger(const UniverseMerger& other);  ///< The copy goes on exactly as the other would.
+    UniverseMerger& operator=(const UniverseMerger& other);
     UniverseMerger(UniverseMerger&&) noexcept;
     UniverseMerger& operator=(UniverseMerger&&) noexcept;
 
@@ -135,6 +137,9 @@ class UniverseMerger {
 
     /// Universes that had to make room for others (MergeRules::unaskedUniverses).
     std::uint64_t evictedUniverses() const;
+
+    /// Sources of all universes, lost ones included.
+    std::size_t sourceCount() const;
 
     /// Everything there is to tell about universes and sources, at `now`, ascending by universe.
     std::vector<UniverseStatus> status(TimePoint now) const;
