@@ -1,5 +1,7 @@
 #include "protocol/sacn_discovered.h"
 
+#include <bit>
+
 #include "protocol/endpoint_text.h"
 #include "protocol/printable_text.h"
 
@@ -16,14 +18,15 @@ bool SacnDiscoveredSources::take(const SacnDiscovery& page, const IpEndpoint& fr
     source.from = from;
     source.lastSeen = now;
     if (page.page == 0) {
-        source.collected.reset();
+        source.collected.fill(0);
         source.nextPage = 0;
     }
     if (page.page != source.nextPage) return true;  // one was lost on its way; the next round begins anew
     ++source.nextPage;
     for (std::size_t i = 0; i < page.universeCount(); ++i) {
         const std::uint16_t universe = page.universe(i);
-        if (universe >= 1 && universe <= kMaxSacnUniverse) source.collected.set(universe);
+        if (universe >= 1 && universe <= kMaxSacnUniverse)
+            source.collected[universe / 64] |= std::uint64_t{1} << universe % 64;
     }
     if (page.page == page.lastPage) source.universes = source.collected;
     return true;
@@ -33,13 +36,21 @@ std::vector<SacnDiscoveredSource> SacnDiscoveredSources::status(TimePoint now) c
     std::vector<SacnDiscoveredSource> all;
     for (const auto& [cid, source] : sources_) {
         if (now - source->lastSeen > kForgetAfter) continue;
-        SacnDiscoveredSource one{cid, source->name, addressText(source->from), {}, source->lastSeen};
-        for (std::size_t universe = 1; universe <= kMaxSacnUniverse; ++universe) {
-            if (source->universes[universe]) one.universes.push_back(static_cast<std::uint16_t>(universe));
-        }
-        all.push_back(std::move(one));
+        all.push_back(
+            {cid, source->name, addressText(source->from), listOf(source->universes), source->lastSeen});
     }
     return all;
+}
+
+std::vector<std::uint16_t> SacnDiscoveredSources::listOf(const UniverseBits& bits) {
+    std::vector<std::uint16_t> universes;
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+        for (std::uint64_t word = bits[i]; word != 0; word &= word - 1) {
+            universes.push_back(
+                static_cast<std::uint16_t>(64 * i + static_cast<std::size_t>(std::countr_zero(word))));
+        }
+    }
+    return universes;
 }
 
 bool SacnDiscoveredSources::makeRoom(TimePoint now) {

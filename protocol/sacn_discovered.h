@@ -1,7 +1,7 @@
 // Who says to send which sACN universes (ANSI E1.31-2018, sections 4.3 and 8).
 #pragma once
 
-#include <bitset>
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -41,14 +41,17 @@ class SacnDiscoveredSources {
     std::vector<SacnDiscoveredSource> status(TimePoint now) const;
 
  private:
-    using UniverseBits = std::bitset<std::size_t{kMaxSacnUniverse} + 1>;
+    /// A bit for each universe, in words, so that a display may ask for all of them often.
+    using UniverseBits = std::array<std::uint64_t, kMaxSacnUniverse / 64 + 1>;
+
+    static std::vector<std::uint16_t> listOf(const UniverseBits& bits);
 
     struct Source {
         std::string name;
         IpEndpoint from{};
         TimePoint lastSeen{};
-        UniverseBits universes;  ///< Of the last whole list.
-        UniverseBits collected;  ///< Of the pages so far.
+        UniverseBits universes{};  ///< Of the last whole list.
+        UniverseBits collected{};  ///< Of the pages so far.
         unsigned nextPage = 0;
     };
 
