@@ -11,6 +11,7 @@
 #include "protocol/network_error.h"
 #include "protocol/sacn_membership.h"
 #include "protocol/sacn_sender.h"
+#include "protocol/sacn_sockets.h"
 #include "tests/protocol/loopback.h"
 #include "tests/protocol/sacn_packets.h"
 
@@ -174,6 +175,17 @@ TEST(SacnReceiver, StopsWhileAFloodGoesOn) {
     EXPECT_TRUE(comesTrue([&] { return receiver->counters().malformed > 10'000; }));
     receiver.reset();
     stop = true;
+}
+
+TEST(SacnSockets, GoOnWithIpv4AloneAndSaySo) {
+    asio::io_context context;
+    std::vector<std::string> notices;
+    const SacnSockets sockets(
+        context, asio::ip::address_v4::loopback(), asio::ip::make_address_v6("2001:db8::77"), 0,
+        [](asio::ip::udp::socket&) {}, [&](const std::string& sentence) { notices.push_back(sentence); });
+    EXPECT_NE(sockets.port(), 0);
+    EXPECT_FALSE(sockets.hasIpv6());
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("sACN is received over IPv4 alone: cannot listen on")));
 }
 
 NetworkInterface runningInterface(unsigned index, const std::string& name) {
