@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <bitset>
 
 #include "protocol/byte_reader.h"
+#include "protocol/printable_text.h"
 
 namespace hazer::protocol {
 namespace {
@@ -86,11 +86,8 @@ std::optional<EnttecIdentity> parseEnttecIdentity(std::span<const std::uint8_t> 
     EnttecIdentity identity;
     identity.id = reader.u16LittleEndian();
     if (reader.failed()) return std::nullopt;
-    for (const std::uint8_t byte : reader.take(std::min(reader.remaining(), kLongestName))) {
-        if (byte == 0) break;
-        const bool isPrintable = byte >= 0x20 && byte < 0x7F;
-        identity.name += isPrintable ? static_cast<char>(byte) : '?';
-    }
+    const auto text = reader.take(std::min(reader.remaining(), kLongestName));
+    identity.name = printableText(std::string(text.begin(), std::ranges::find(text, 0)));
     return identity;
 }
 

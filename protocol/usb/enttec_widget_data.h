@@ -59,7 +59,7 @@ std::optional<std::string> parseEnttecSerial(std::span<const std::uint8_t> data)
 /// Labels 77 and 78.
 struct EnttecIdentity {
     std::uint16_t id = 0;  ///< Manufacturer: as ESTA gave it. Device: the manufacturer's own.
-    std::string name;      ///< Printable ASCII, at most 32 characters.
+    std::string name;      ///< Printable UTF-8; 32 bytes were sent at most.
 };
 
 /// Nothing if there is no id.

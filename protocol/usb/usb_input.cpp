@@ -34,7 +34,7 @@ namespace {
 using namespace std::chrono_literals;
 
 // Longer gaps than this between breaks are no DMX (ANSI E1.11 for receivers).
-constexpr auto kDmxLoss = 1s;
+constexpr auto kDmxLoss = 1250ms;
 constexpr auto kPublishEvery = 100ms;
 
 /// FNV-1a of the key: two runs give an interface the same id.
@@ -56,7 +56,7 @@ struct Input {
     TimePoint openAt{};  ///< When to try, while it is not open.
     TimePoint lastFrame{};
     std::string problem;
-    std::string described;  ///< The name that the status has for the source.
+    std::string named;  ///< What the universe's status calls it.
     std::unique_ptr<UsbLine> line;
 
     bool is(const UsbInterface& other) const {
@@ -109,7 +109,7 @@ struct UsbInput::Impl {
         const auto found = findUsbInterfaces(config.sysfs);
         std::erase_if(inputs, [&](const auto& input) {
             const bool isGone = std::ranges::none_of(found, [&](const auto& one) { return input->is(one); });
-            if (isGone) leave(*input, now);
+            if (isGone) leave(*input);
             return isGone;
         });
         for (const UsbInterface& interface : found) {
@@ -155,7 +155,7 @@ struct UsbInput::Impl {
             input.openAt = now + config.lookEvery;
             input.problem = fmt::format("USB interface {} ({}) cannot be used: {}.",
                                         describe(input.interface), input.key, error.what());
-            if (error.isUnplugged()) leave(input, now);
+            if (error.isUnplugged()) leave(input);
             publishAt = now;
         }
     }
@@ -206,13 +206,29 @@ struct UsbInput::Impl {
     }
 
     void take(Input& input, std::span<const std::uint8_t> slots) {
-        input.lastFrame = Clock::now();
-        const UniverseId universe{Transport::kDmx, input.universe};
-        store.set(universe, slots, input.lastFrame);
+        const UniverseId universe = idOf(input);
+        store.change([&](UniverseMerger& merger) {
+            input.lastFrame = Clock::now();
+            merger.show({.universe = universe, .source = input.source, .slots = slots}, input.lastFrame);
+        });
         if (config.tap) config.tap(universe, slots, std::chrono::system_clock::now());
     }
 
-    void leave(const Input&, TimePoint) {}
+    static UniverseId idOf(const Input& input) { return {Transport::kDmx, input.universe}; }
+
+    void leave(const Input& input) {
+        store.change([&](UniverseMerger& merger) { merger.leave(idOf(input), input.source, Clock::now()); });
+    }
+
+    /// Says in the universe's status who sends.
+    void name(Input& input, const UsbLineStatus& status) {
+        if (input.lastFrame == TimePoint{} || input.named == status.name) return;
+        input.named = status.name;
+        const std::string address = fmt::format("USB {}, {}", status.socket, status.key);
+        store.change([&](UniverseMerger& merger) {
+            merger.describe(idOf(input), input.source, status.name, address);
+        });
+    }
 
     void wait(const std::stop_token& stop) {
         TimePoint until = std::min(lookAt, publishAt);
@@ -244,7 +260,7 @@ struct UsbInput::Impl {
         status.key = input.key;
         status.socket = input.interface.port;
         status.problem = input.problem;
-        status.universe.number = input.universe;
+        status.universe = idOf(input);
         if (input.line) status.facts = input.line->facts();
         status.name = status.facts.name.empty() ? describe(input.interface) : status.facts.name;
         status.state = stateOf(input, now);
@@ -261,7 +277,10 @@ struct UsbInput::Impl {
         // Without an input nothing changes until one is found.
         publishAt = inputs.empty() ? TimePoint::max() : now + kPublishEvery;
         std::vector<UsbLineStatus> statuses;
-        for (const auto& input : inputs) statuses.push_back(statusOf(*input, now));
+        for (const auto& input : inputs) {
+            statuses.push_back(statusOf(*input, now));
+            name(*input, statuses.back());
+        }
         std::ranges::sort(statuses, {},
                           [](const UsbLineStatus& one) { return std::pair(one.socket, one.key); });
         const std::lock_guard lock(mutex);

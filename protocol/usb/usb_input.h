@@ -36,7 +36,7 @@ struct UsbConfig {
 enum class UsbState : std::uint8_t {
     kStarting,   ///< Opened; its kind is being found out.
     kReceiving,  ///< Frames come.
-    kSilent,     ///< Nothing on its DMX line for a second.
+    kSilent,     ///< Nothing on its DMX line for 1.25 s.
     kFailed,     ///< Not open: UsbLineStatus::problem says why. It is tried again.
 };
 

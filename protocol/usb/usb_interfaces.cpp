@@ -7,6 +7,8 @@
 #include <fstream>
 #include <string_view>
 
+#include "protocol/printable_text.h"
+
 namespace hazer::protocol {
 namespace {
 
@@ -18,11 +20,7 @@ std::string attribute(const std::filesystem::path& device, const char* name) {
     std::string text(kLongestText, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(file.gcount()));
-    text.resize(std::min(text.find('\n'), text.size()));
-    for (char& letter : text) {
-        if (letter < 0x20 || letter > 0x7E) letter = '?';
-    }
-    return text;
+    return printableText(text.substr(0, text.find('\n')));
 }
 
 template <class Number>

@@ -39,7 +39,7 @@ inline constexpr std::array kUsbIds{
 /// Nothing for a device that hazer does not know.
 std::optional<UsbFamily> usbFamilyOf(std::uint16_t vendor, std::uint16_t product);
 
-/// A device as the kernel describes it. Texts are printable ASCII and short, whatever the device says.
+/// A device as the kernel describes it. Texts are printable UTF-8 and short, whatever the device says.
 struct UsbInterface {
     std::string port{};       ///< "1-1.2": the bus, then the sockets of the hubs on the way.
     std::uint8_t bus = 0;     ///< With `device` the name of the node in /dev/bus/usb.

@@ -132,7 +132,7 @@ TEST(EnttecIdentity, IsAnIdAndAName) {
     ASSERT_TRUE(identity);
     EXPECT_EQ(identity->id, 0x6A6B);
     EXPECT_EQ(identity->name, "DMX");
-    EXPECT_EQ(parseEnttecIdentity(Bytes{1, 0, 'a', 0x1B, 0xC3})->name, "a??");
+    EXPECT_EQ(parseEnttecIdentity(Bytes{1, 0, 'a', 0x1B, 0xC3})->name, "a\uFFFD\uFFFD");
     EXPECT_EQ(parseEnttecIdentity(Bytes(600, 'a'))->name.size(), 32U);
     EXPECT_FALSE(parseEnttecIdentity(Bytes{1}));
 }

@@ -93,7 +93,7 @@ class UsbInputTest : public testing::Test {
 
     Universe universe(std::uint16_t number) {
         UniverseSet set;
-        store_.latch(set);
+        store_.latch(set, Clock::now());
         return set[{Transport::kDmx, number}];
     }
 
@@ -138,6 +138,11 @@ TEST_F(UsbInputTest, AProIsSetUpAndItsFramesStandInUniverse1) {
     EXPECT_EQ(status.facts.serial, "00123456");
     EXPECT_EQ(status.facts.frames, 1U);
     EXPECT_EQ(status.problem, "");
+    const auto universes = store_.status(Clock::now());
+    ASSERT_EQ(universes.size(), 1U);
+    ASSERT_EQ(universes[0].sources.size(), 1U);
+    EXPECT_EQ(universes[0].sources[0].name, "ENTTEC DMX USB PRO");
+    EXPECT_EQ(universes[0].sources[0].address, "USB 1-1, EN123456");
 }
 
 TEST_F(UsbInputTest, AnOpenInterfaceIsHeardByItsBreaks) {
@@ -244,6 +249,8 @@ TEST_F(UsbInputTest, UnpluggedInTheMiddleOfAMessageAndPluggedInAgainItKeepsItsUn
     ASSERT_TRUE(comesTrue([&] { return pro->hasSentAll(); }));
     pro.reset();
     ASSERT_TRUE(comesTrue([&] { return devices().size() == 1; }));
+    EXPECT_TRUE(universe(1).isLost) << "at once, not after a second";
+    EXPECT_EQ(universe(1).slots[0], 5) << "the last look stands";
     other.sendSerial(proFrame({7}));
     EXPECT_TRUE(shows(2, 7)) << "the other one goes on";
 

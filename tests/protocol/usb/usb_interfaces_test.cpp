@@ -64,7 +64,7 @@ TEST_F(UsbInterfaces, SayNothingThatATerminalWouldObey) {
                  {"serial", std::string(5000, 'a').c_str()}});
     const auto found = findUsbInterfaces(sysfs_);
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0].name, "?[2J?");
+    EXPECT_EQ(found[0].name, "\uFFFD[2J\uFFFD");
     EXPECT_LE(found[0].serial.size(), 64U);
 }
 
