@@ -33,6 +33,7 @@ struct PacketLevels {
 /// Levels that wait for their synchronization packet.
 struct HeldLevels {
     PacketLevels levels;
+    std::uint64_t changeNumber = 0;  ///< As that of the source, when they arrived.
     SyncGroup group{};
     std::size_t place = 0;  ///< In the list of SyncGroups.
     bool isWaiting = false;

@@ -139,7 +139,7 @@ Verdict MergedUniverse::show(const Levels& levels, TimePoint now) {
     bool isChanged = hear(*source, now);
     PacketLevels taken;
     taken.take(levels);
-    isChanged = replace(*source, taken) || isChanged;
+    isChanged = replace(*source, taken, ++changeNumber_) || isChanged;
     source->isSynchronized = false;
     if (isChanged) mergeLooks(now);
     return Verdict::kTaken;
@@ -153,6 +153,7 @@ Verdict MergedUniverse::hold(const Levels& levels, SyncGroup group, TimePoint no
     syncGroups_.remove(*source);
     if (!source->held) source->held = makeDeep<HeldLevels>();
     source->held->levels.take(levels);
+    source->held->changeNumber = ++changeNumber_;
     syncGroups_.add(*source, group);
     source->isSynchronized = true;
     if (isChanged) mergeLooks(now);
@@ -160,13 +161,13 @@ Verdict MergedUniverse::hold(const Levels& levels, SyncGroup group, TimePoint no
 }
 
 void MergedUniverse::commitHeld(MergeSource& source, TimePoint now) {
-    replace(source, source.held->levels);
+    replace(source, source.held->levels, source.held->changeNumber);
     syncGroups_.remove(source);
     lastHeard_ = now;
 }
 
 // Returns whether the looks have to be merged again.
-bool MergedUniverse::replace(MergeSource& source, const PacketLevels& levels) {
+bool MergedUniverse::replace(MergeSource& source, const PacketLevels& levels, std::uint64_t changeNumber) {
     if (cancelsMergeNext_) {
         only_ = &source;
         cancelsMergeNext_ = false;
@@ -175,7 +176,7 @@ bool MergedUniverse::replace(MergeSource& source, const PacketLevels& levels) {
     }
     source.levels = levels;
     source.isShown = true;
-    source.changeNumber = ++changeNumber_;
+    source.changeNumber = changeNumber;
     return true;
 }
 

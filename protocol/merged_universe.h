@@ -90,7 +90,7 @@ class MergedUniverse {
     bool hear(MergeSource& source, TimePoint now);
     void countPacket(MergeSource& source, TimePoint now);
     void revive(MergeSource& source, TimePoint now);
-    bool replace(MergeSource& source, const PacketLevels& levels);
+    bool replace(MergeSource& source, const PacketLevels& levels, std::uint64_t changeNumber);
 
     void advanceTo(TimePoint now);
     bool endSampling(TimePoint at);
