@@ -3,153 +3,121 @@
 #include <algorithm>
 #include <cassert>
 
-#include "protocol/byte_reader.h"
-#include "protocol/field_writer.h"
+#include "protocol/artnet_parsers.h"
+#include "protocol/artnet_wire.h"
 
 namespace hazer::protocol {
+namespace artnet {
 namespace {
 
-constexpr std::array<std::uint8_t, 8> kIdentifier{'A', 'r', 't', '-', 'N', 'e', 't', 0};
-constexpr std::uint16_t kOpPoll = 0x2000;
-constexpr std::uint16_t kOpPollReply = 0x2100;
-constexpr std::uint16_t kOpDmx = 0x5000;
-constexpr std::uint16_t kProtocolVersion = 14;
-
 constexpr std::size_t kDmxHeaderSize = 18;
-constexpr std::size_t kPollSize = 22;
-constexpr std::size_t kMinPollSize = 14;  // the polls of Art-Net 3, which many desks still send
-constexpr std::size_t kPollFieldsOffset = 12;
-constexpr std::uint8_t kPollFlagTargeted = 1U << 5;
+constexpr std::uint8_t kStartCodeRdm = 0xCC;
 
-// The high byte of a Port-Address on the wire has 7 bits; the eighth belongs to nobody and is not trusted to
-// be 0.
-constexpr std::uint8_t kNetMask = 0x7F;
-
-bool isOfCurrentVersion(ByteReader& reader) {
-    return reader.u16BigEndian() >= kProtocolVersion;
+// Length is a claim, the datagram is the fact: senders exist that send fewer slots than they say, or more
+// than a universe has.
+std::span<const std::uint8_t> readSlots(ByteReader& body) {
+    const std::size_t claimed = body.u16BigEndian();
+    return body.take(std::min({claimed, body.remaining(), kSlotCount}));
 }
 
-ArtNetPacket parseDmx(ByteReader& reader) {
-    if (!isOfCurrentVersion(reader)) return reader.failed() ? Refusal::kTruncated : Refusal::kOldVersion;
+ArtNetPacket parseDmx(ByteReader body) {
     ArtDmx dmx;
-    dmx.sequence = reader.u8();
-    dmx.physical = reader.u8();
-    const std::uint8_t subUni = reader.u8();
-    const auto net = static_cast<std::uint8_t>(reader.u8() & kNetMask);
-    dmx.portAddress = static_cast<std::uint16_t>(net << 8 | subUni);
-    const std::size_t claimed = reader.u16BigEndian();
-    if (reader.failed()) return Refusal::kTruncated;
-    // Length is a claim, the datagram is the fact: senders exist that send fewer slots than they say, or more
-    // than a universe has.
-    dmx.slots = reader.take(std::min({claimed, reader.remaining(), kSlotCount}));
+    dmx.sequence = body.u8();
+    dmx.physical = body.u8();
+    dmx.portAddress = readPortAddress(body);
+    dmx.slots = readSlots(body);
+    if (body.failed()) return Refusal::kTruncated;
     if (dmx.slots.empty()) return Refusal::kNoSlots;
     return dmx;
 }
 
-ArtNetPacket parsePoll(ByteReader& reader, std::span<const std::uint8_t> datagram) {
-    if (!isOfCurrentVersion(reader)) return reader.failed() ? Refusal::kTruncated : Refusal::kOldVersion;
-    if (datagram.size() < kMinPollSize) return Refusal::kTruncated;
-    // Fields that an older poll does not have are 0.
-    std::array<std::uint8_t, kPollSize> padded{};
-    std::copy_n(datagram.begin(), std::min(datagram.size(), kPollSize), padded.begin());
-    ByteReader fields{std::span(padded).subspan(kPollFieldsOffset)};
-    const std::uint8_t flags = fields.u8();
-    fields.u8();  // DiagPriority: we send no diagnostics
-    const std::uint16_t top = fields.u16BigEndian();
-    const std::uint16_t bottom = fields.u16BigEndian();
-    ArtPoll poll;
-    if (flags & kPollFlagTargeted) poll.target = PortAddressRange{bottom, top};
-    return poll;
+ArtNetPacket parseNzs(ByteReader body) {
+    ArtNzs nzs;
+    nzs.sequence = body.u8();
+    nzs.startCode = body.u8();
+    nzs.portAddress = readPortAddress(body);
+    nzs.slots = readSlots(body);
+    if (body.failed()) return Refusal::kTruncated;
+    if (nzs.startCode == 0 || nzs.startCode == kStartCodeRdm) return Refusal::kBadValue;
+    if (nzs.slots.empty()) return Refusal::kNoSlots;
+    return nzs;
 }
 
-constexpr std::uint16_t kFirmwareVersion = 1;
-constexpr std::uint16_t kOemUnknown =
-    0x00FF;  // OemUnknown of the Art-Net OEM list: hazer has no code of its own
-constexpr std::uint16_t kEstaPrototype =
-    0x7FF0;  // first of the manufacturer codes that ESTA keeps for prototypes
-constexpr std::uint8_t kStatus1Normal = 0b11010000;  // indicators normal, addresses set at the machine itself
-constexpr std::uint8_t kPortTypeOutputDmx = 0x80;    // takes DMX512 from Art-Net
-constexpr std::uint8_t kDefaultSacnPriority = 100;   // the default of ANSI E1.31
-constexpr std::uint8_t kStyleVisualizer = 6;         // StVisual
-constexpr std::uint8_t kStatus2LongAddress = 1U << 3;  // understands 15-bit Port-Addresses
-constexpr std::uint16_t kRefreshRateHz = 44;           // a full DMX512 universe
-
-// NumPorts to SwOut: the part that makes a desk unicast ArtDmx to us.
-void writePorts(FieldWriter& writer, std::optional<std::uint16_t> portAddress) {
-    writer.u16BigEndian(portAddress ? 1 : 0);         // NumPorts
-    writer.u8(portAddress ? kPortTypeOutputDmx : 0);  // PortTypes[0]
-    writer.skip(3);                                   // PortTypes[1..3]
-    writer.skip(4);                                   // GoodInput
-    writer.skip(4);                                   // GoodOutputA
-    writer.skip(4);                                   // SwIn
-    writer.u8(portAddress.value_or(0) & 0x0F);        // SwOut[0]
-    writer.skip(3);                                   // SwOut[1..3]
+ArtNetPacket parseSync(ByteReader body) {
+    body.take(2);  // Aux1, Aux2
+    if (body.failed()) return Refusal::kTruncated;
+    return ArtSync{};
 }
 
-}  // namespace
-
-ArtNetPacket parseArtNet(std::span<const std::uint8_t> datagram) {
-    ByteReader reader(datagram);
-    if (!std::ranges::equal(reader.take(kIdentifier.size()), kIdentifier)) return Refusal::kNotArtNet;
-    const std::uint16_t opCode = reader.u16LittleEndian();
-    if (reader.failed()) return Refusal::kTruncated;
+ArtNetPacket parseOfVersion14(std::uint16_t opCode, std::span<const std::uint8_t> body) {
     switch (opCode) {
         case kOpDmx:
-            return parseDmx(reader);
+            return parseDmx(ByteReader(body));
+        case kOpNzs:
+            return parseNzs(ByteReader(body));
+        case kOpSync:
+            return parseSync(ByteReader(body));
         case kOpPoll:
-            return parsePoll(reader, datagram);
+            return parsePoll(body);
+        case kOpDiagData:
+            return parseDiagData(ByteReader(body));
+        case kOpAddress:
+            return parseAddress(ByteReader(body));
+        case kOpTimeCode:
+            return parseTimeCode(ByteReader(body));
+        case kOpTrigger:
+            return parseTrigger(ByteReader(body));
+        case kOpIpProg:
+            return parseIpProg(ByteReader(body));
         default:
             return Refusal::kUnusedOpCode;
     }
 }
 
+}  // namespace
+
+std::string_view readText(ByteReader& reader, std::size_t fieldSize) {
+    const auto field = reader.take(fieldSize);
+    const auto end = std::ranges::find(field, std::uint8_t{0});
+    return {reinterpret_cast<const char*>(field.data()), static_cast<std::size_t>(end - field.begin())};
+}
+
+}  // namespace artnet
+
+ArtNetPacket parseArtNet(std::span<const std::uint8_t> datagram) {
+    using namespace artnet;
+    ByteReader reader(datagram);
+    if (!std::ranges::equal(reader.take(kIdentifier.size()), kIdentifier)) return Refusal::kNotArtNet;
+    const std::uint16_t opCode = reader.u16LittleEndian();
+    if (reader.failed()) return Refusal::kTruncated;
+    // Where other packets have the version, an ArtPollReply has the address of its node.
+    if (opCode == kOpPollReply) return parsePollReply(datagram.subspan(kHeaderSize - 2));
+    const std::uint16_t version = reader.u16BigEndian();
+    if (reader.failed()) return Refusal::kTruncated;
+    if (version < kProtocolVersion) return Refusal::kOldVersion;
+    return parseOfVersion14(opCode, datagram.subspan(kHeaderSize));
+}
+
 std::vector<std::uint8_t> packArtDmx(std::uint16_t portAddress, std::uint8_t sequence,
-                                     std::span<const std::uint8_t> slots) {
+                                     std::span<const std::uint8_t> slots, std::uint8_t physical) {
     assert(portAddress <= kMaxPortAddress);
     assert(!slots.empty() && slots.size() <= kSlotCount);
     const std::size_t evenCount = slots.size() + slots.size() % 2;
-    std::vector<std::uint8_t> datagram(kDmxHeaderSize + evenCount);
+    std::vector<std::uint8_t> datagram(artnet::kDmxHeaderSize + evenCount);
     FieldWriter writer(datagram);
-    writer.bytes(kIdentifier);
-    writer.u16LittleEndian(kOpDmx);
-    writer.u16BigEndian(kProtocolVersion);
+    artnet::writeHeader(writer, artnet::kOpDmx);
     writer.u8(sequence);
-    writer.skip(1);                       // Physical
+    writer.u8(physical);
     writer.u16LittleEndian(portAddress);  // SubUni, then Net
     writer.u16BigEndian(static_cast<std::uint16_t>(evenCount));
     writer.bytes(slots);
     return datagram;
 }
 
-ArtPollReplyBytes packArtPollReply(const ArtPollReply& reply) {
-    const std::uint16_t portAddress = reply.portAddress.value_or(0);
-    assert(portAddress <= kMaxPortAddress);
-    ArtPollReplyBytes datagram{};
+std::array<std::uint8_t, kArtSyncSize> packArtSync() {
+    std::array<std::uint8_t, kArtSyncSize> datagram{};
     FieldWriter writer(datagram);
-    writer.bytes(kIdentifier);
-    writer.u16LittleEndian(kOpPollReply);
-    writer.bytes(reply.ownAddress);
-    writer.u16LittleEndian(kArtNetPort);
-    writer.u16BigEndian(kFirmwareVersion);
-    writer.u8(static_cast<std::uint8_t>(portAddress >> 8));           // NetSwitch
-    writer.u8(static_cast<std::uint8_t>((portAddress >> 4) & 0x0F));  // SubSwitch
-    writer.u16BigEndian(kOemUnknown);
-    writer.skip(1);  // UbeaVersion
-    writer.u8(kStatus1Normal);
-    writer.u16LittleEndian(kEstaPrototype);
-    writer.text(reply.shortName, 18);
-    writer.text(reply.longName, 64);
-    writer.text(reply.nodeReport, 64);
-    writePorts(writer, reply.portAddress);
-    writer.u8(kDefaultSacnPriority);
-    writer.skip(5);  // SwMacro, SwRemote, spare
-    writer.u8(kStyleVisualizer);
-    writer.skip(6);                  // MAC
-    writer.bytes(reply.ownAddress);  // BindIp: we are our own root device
-    writer.u8(reply.bindIndex);
-    writer.u8(kStatus2LongAddress);
-    writer.skip(13);  // GoodOutputB, Status3 (0: hold the last look when data stops), DefaultRespUID, User
-    writer.u16BigEndian(kRefreshRateHz);
+    artnet::writeHeader(writer, artnet::kOpSync);
     return datagram;
 }
 

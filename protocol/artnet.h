@@ -1,27 +1,24 @@
-// The packets of Art-Net 4 as pure functions of bytes. Source: "Art-Net 4 Protocol Release", Artistic
-// Licence; the sections named below are its packet definitions. docs/protocols.md tells what hazer does with
-// them.
+// The packets of Art-Net 4 as pure functions of bytes: levels here, the others in artnet_poll.h (who is
+// there) and artnet_control.h (remote programming, time code, triggers). Source: "Art-Net 4 Protocol
+// Release", Artistic Licence; the sections named below are its packet definitions. docs/artnet.md tells what
+// hazer does with them.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
-#include <string_view>
 #include <variant>
 #include <vector>
 
+#include "protocol/artnet_control.h"
+#include "protocol/artnet_poll.h"
 #include "protocol/dmx.h"
-#include "protocol/endpoint.h"
 
 namespace hazer::protocol {
 
 /// The UDP port of Art-Net, both ends (0x1936).
 inline constexpr std::uint16_t kArtNetPort = 6454;
-
-/// The highest Port-Address: 7 bits Net, 4 bits Sub-Net, 4 bits Universe.
-inline constexpr std::uint16_t kMaxPortAddress = 0x7FFF;
 
 /// Levels for one universe (section ArtDmx).
 struct ArtDmx {
@@ -31,54 +28,40 @@ struct ArtDmx {
     std::span<const std::uint8_t> slots;  ///< 1..512 values, inside the datagram that was parsed.
 };
 
-/// Port-Addresses first..last, both included.
-struct PortAddressRange {
-    std::uint16_t first = 0;
-    std::uint16_t last = kMaxPortAddress;
-    bool contains(std::uint16_t portAddress) const { return first <= portAddress && portAddress <= last; }
+/// Values with another start code than 0, which are no levels (section ArtNzs).
+struct ArtNzs {
+    std::uint8_t sequence = 0;
+    std::uint8_t startCode = 0;           ///< Neither 0 nor that of RDM (0xCC).
+    std::uint16_t portAddress = 0;        ///< 0..32767.
+    std::span<const std::uint8_t> slots;  ///< 1..512 values, inside the datagram that was parsed.
 };
 
-/// A desk asks who is there (section ArtPoll).
-struct ArtPoll {
-    /// Only nodes with a Port-Address in here are asked (targeted mode). Absent: every node.
-    std::optional<PortAddressRange> target;
-};
+/// All nodes show at once what came since the last one (section ArtSync).
+struct ArtSync {};
 
-/// Why a datagram is neither of the packets we use.
+/// Why a datagram is none of the packets we know.
 enum class Refusal : std::uint8_t {
     kNotArtNet,     ///< Does not begin with the Art-Net identifier.
     kTruncated,     ///< Ends inside its header.
     kOldVersion,    ///< Protocol version below 14.
-    kNoSlots,       ///< ArtDmx without a single slot.
+    kBadValue,      ///< A field has a value that its section forbids.
+    kNoSlots,       ///< ArtDmx or ArtNzs without a single slot.
     kUnusedOpCode,  ///< Art-Net, but of a kind that we do not use.
 };
 
-using ArtNetPacket = std::variant<ArtDmx, ArtPoll, Refusal>;
+using ArtNetPacket = std::variant<ArtDmx, ArtNzs, ArtSync, ArtPoll, PeerPollReply, ArtDiagData, ArtAddress,
+                                  ArtIpProg, ArtTimeCode, ArtTrigger, Refusal>;
 
-/// Parses one datagram of any length. Never throws, never reads outside `datagram`; an ArtDmx refers into it.
+/// Parses one datagram of any length. Never throws, never reads outside `datagram`; spans and texts of the
+/// packet refer into it.
 ArtNetPacket parseArtNet(std::span<const std::uint8_t> datagram);
 
 /// An ArtDmx datagram. `slots` holds 1..512 values; an odd count is padded with a 0 because the standard
 /// wants it even. portAddress 0..32767; sequence 1..255, or 0 for packets without an order.
 std::vector<std::uint8_t> packArtDmx(std::uint16_t portAddress, std::uint8_t sequence,
-                                     std::span<const std::uint8_t> slots);
+                                     std::span<const std::uint8_t> slots, std::uint8_t physical = 0);
 
-inline constexpr std::size_t kArtPollReplySize = 239;
-using ArtPollReplyBytes = std::array<std::uint8_t, kArtPollReplySize>;
-
-/// What we tell a desk about ourselves (section ArtPollReply): one Port-Address a reply, as Art-Net 4
-/// prefers.
-struct ArtPollReply {
-    Ipv4Address ownAddress{};  ///< Our address on the network of the desk.
-    /// The Port-Address we ask for, 0..32767. Absent: a node without ports.
-    std::optional<std::uint16_t> portAddress{};
-    std::uint8_t bindIndex = 1;     ///< 1 for the first reply of a node, then 2, 3 ...
-    std::string_view shortName{};   ///< At most 17 characters reach the wire.
-    std::string_view longName{};    ///< At most 63 characters reach the wire.
-    std::string_view nodeReport{};  ///< "#xxxx [yyyy] text". At most 63 characters reach the wire.
-};
-
-/// An ArtPollReply datagram of a visualizer that turns Art-Net into light.
-ArtPollReplyBytes packArtPollReply(const ArtPollReply& reply);
+inline constexpr std::size_t kArtSyncSize = 14;
+std::array<std::uint8_t, kArtSyncSize> packArtSync();
 
 }  // namespace hazer::protocol

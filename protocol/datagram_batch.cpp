@@ -47,6 +47,10 @@ void takeControl(const cmsghdr& header, ArrivedDatagram& arrived) {
         const auto info = controlValue<in6_pktinfo>(header);
         std::memcpy(to.address.data(), &info.ipi6_addr, sizeof info.ipi6_addr);
         arrived.interfaceIndex = info.ipi6_ifindex;
+#ifdef SO_RXQ_OVFL
+    } else if (header.cmsg_level == SOL_SOCKET && header.cmsg_type == SO_RXQ_OVFL) {
+        arrived.lostBefore = controlValue<std::uint32_t>(header);
+#endif
 #ifdef SCM_TIMESTAMPNS
     } else if (header.cmsg_level == SOL_SOCKET && header.cmsg_type == SCM_TIMESTAMPNS) {
         const auto time = controlValue<timespec>(header);
@@ -147,6 +151,9 @@ void DatagramBatch::prepare(int socket, bool isIpv6) {
     } else {
         setsockopt(socket, IPPROTO_IP, IP_PKTINFO, &on, sizeof on);
     }
+#ifdef SO_RXQ_OVFL
+    setsockopt(socket, SOL_SOCKET, SO_RXQ_OVFL, &on, sizeof on);
+#endif
 #ifdef SO_TIMESTAMPNS
     setsockopt(socket, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on);
 #endif

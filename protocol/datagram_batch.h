@@ -14,6 +14,9 @@ namespace hazer::protocol {
 struct ArrivedDatagram {
     Datagram datagram{};
     unsigned interfaceIndex = 0;  ///< The system's number of it; 0: not told.
+    /// How many the socket has lost since it was opened, because they came faster than they were taken. Goes
+    /// round at 2^32; 0 where the system does not tell.
+    std::uint32_t lostBefore = 0;
 };
 
 /// Reuses its memory: what it hands out is valid until the next receive.

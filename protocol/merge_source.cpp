@@ -3,6 +3,16 @@
 #include <algorithm>
 
 namespace hazer::protocol {
+namespace {
+
+constexpr std::size_t kMaxTextLength = 64;
+
+void assign(std::string& text, std::string_view value) {
+    value = value.substr(0, kMaxTextLength);
+    if (!value.empty() && text != value) text.assign(value);
+}
+
+}  // namespace
 
 std::chrono::milliseconds lossTime(Transport transport) {
     switch (transport) {
@@ -23,6 +33,11 @@ void PacketLevels::take(const Levels& taken) {
     slotCount = static_cast<std::uint16_t>(count);
     priority = std::min(taken.priority, kMaxPriority);
     isPreview = taken.isPreview;
+}
+
+void MergeSource::describe(std::string_view newName, std::string_view newAddress) {
+    assign(name, newName);
+    assign(address, newAddress);
 }
 
 }  // namespace hazer::protocol

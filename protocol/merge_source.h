@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "protocol/deep_ptr.h"
 #include "protocol/dmx.h"
@@ -47,6 +48,9 @@ struct SlotPriorities {
 
 struct MergeSource {
     MergeSource(MergedUniverse& universe, const SourceId& sourceId) : owner(&universe), id(sourceId) {}
+
+    /// What is empty stays as it was; what is long is cut.
+    void describe(std::string_view newName, std::string_view newAddress);
 
     std::chrono::milliseconds lossTime() const { return protocol::lossTime(id.transport); }
     /// When it is lost unless it is heard again.

@@ -135,6 +135,7 @@ Verdict MergedUniverse::show(const Levels& levels, TimePoint now) {
     advance(now);
     MergeSource* const source = place(levels.source, now);
     if (!source) return Verdict::kTooManySources;
+    source->describe(levels.name, levels.address);
     syncGroups_.remove(*source);
     bool isChanged = hear(*source, now);
     PacketLevels taken;
@@ -149,6 +150,7 @@ Verdict MergedUniverse::hold(const Levels& levels, SyncGroup group, TimePoint no
     advance(now);
     MergeSource* const source = place(levels.source, now);
     if (!source) return Verdict::kTooManySources;
+    source->describe(levels.name, levels.address);
     const bool isChanged = hear(*source, now);
     syncGroups_.remove(*source);
     if (!source->held) source->held = makeDeep<HeldLevels>();
@@ -360,8 +362,13 @@ void MergedUniverse::merge(Look& look, TimePoint now) {
     }
 }
 
-bool MergedUniverse::isLive() const {
+bool MergedUniverse::hasLiveSource() const {
     return std::ranges::any_of(sources_, [](const auto& source) { return source->isAlive; });
+}
+
+bool MergedUniverse::isLive(const Look& look) const {
+    return std::ranges::any_of(
+        sources_, [&](const auto& source) { return source->isAlive && look.covers(source->id.transport); });
 }
 
 bool MergedUniverse::isMerging(const Look& look) const {

@@ -74,7 +74,8 @@ class MergedUniverse {
     TimePoint earliestDeadline() const { return deadline_; }
 
     std::size_t sourceCount() const { return sources_.size(); }
-    bool isLive() const;  ///< Any source is alive.
+    bool hasLiveSource() const;
+    bool isLive(const Look& look) const;
     bool isMerging(const Look& look) const;
     TimePoint lastHeard() const { return lastHeard_; }  ///< Any packet at all.
 

@@ -1,14 +1,16 @@
 #include "protocol/receiver.h"
 
-#include <array>
+#include <algorithm>
 #include <asio/buffer.hpp>
 #include <asio/io_context.hpp>
 #include <asio/steady_timer.hpp>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <thread>
 
 #include "protocol/artnet_node.h"
+#include "protocol/datagram_batch.h"
 #include "protocol/udp.h"
 
 namespace hazer::protocol {
@@ -16,13 +18,9 @@ namespace {
 
 using asio::ip::udp;
 
-// Longer than any ArtDmx (530 bytes); the rest of a longer datagram is of no use to us and is cut off by the
-// system.
-constexpr std::size_t kMaxDatagramSize = 2048;
-
 // Asked for so that a stall of this thread loses no packets. Systems grant less by default (Linux:
 // net.core.rmem_max).
-constexpr int kReceiveBufferBytes = 1 << 20;
+constexpr int kReceiveBufferBytes = 8 << 20;
 
 constexpr std::chrono::milliseconds kRetryAfterError{100};
 
@@ -31,11 +29,19 @@ ArtNetNodeConfig nodeConfigFrom(const ReceiverConfig& config) {
             .shortName = config.shortName,
             .longName = config.longName,
             .maxPollReplyDelay = config.maxPollReplyDelay,
-            .randomSeed = std::random_device{}()};
+            .randomSeed = std::random_device{}(),
+            .isProgrammable = config.isProgrammable};
 }
 
 Endpoint endpointFrom(const udp::endpoint& endpoint) {
     return {endpoint.address().to_v4().to_bytes(), endpoint.port()};
+}
+
+Endpoint ipv4From(const IpEndpoint& endpoint) {
+    Endpoint ipv4;
+    std::copy_n(endpoint.address.begin(), ipv4.address.size(), ipv4.address.begin());
+    ipv4.port = endpoint.port;
+    return ipv4;
 }
 
 udp::endpoint udpEndpointFrom(const Endpoint& endpoint) {
@@ -52,6 +58,7 @@ udp::socket boundSocket(asio::io_context& context, const udp::endpoint& local) {
     if (!failure) socket.bind(local, failure);
     if (!failure) socket.non_blocking(true, failure);
     if (failure) throwNetworkError("listen on", local, failure);
+    DatagramBatch::prepare(socket.native_handle(), false);
     std::error_code smallerBufferWillDo;
     socket.set_option(udp::socket::receive_buffer_size(kReceiveBufferBytes), smallerBufferWillDo);
     return socket;
@@ -65,50 +72,73 @@ struct Receiver::Impl {
           node(nodeConfigFrom(config)),
           socket(boundSocket(context, udpEndpoint(config.address, config.port))),
           port(socket.local_endpoint().port()),
-          replyTimer(context),
+          tap(config.tap),
+          deadlineTimer(context),
           retryTimer(context) {
-        receiveNext();
+        waitForDatagrams();
         thread = std::jthread([this] { context.run(); });
     }
 
     ~Impl() { context.stop(); }  // the thread, the last member, is joined first
 
-    void receiveNext() {
-        socket.async_receive_from(asio::buffer(buffer), from,
-                                  [this](const std::error_code& failure, std::size_t size) {
-                                      if (failure) return retryLater();
-                                      handle(std::span(buffer).first(size));
-                                  });
+    void waitForDatagrams() {
+        socket.async_wait(udp::socket::wait_read, [this](const std::error_code& failure) {
+            if (failure) return waitLater();
+            takeDatagrams();
+            waitForDatagrams();
+        });
     }
 
-    void handle(std::span<const std::uint8_t> datagram) {
+    // One batch, then back to the loop: timers and the end of the program get their turn under any flood.
+    void takeDatagrams() {
+        const auto datagrams = batch.receive(socket.native_handle(), port);
+        if (datagrams.empty()) return;
+        if (tap) {
+            for (const ArrivedDatagram& arrived : datagrams) tap(arrived.datagram);
+        }
         store.change([&](UniverseMerger& merger) {
-            node.receive(datagram, endpointFrom(from), Clock::now(), merger);
+            const TimePoint now = Clock::now();
+            for (const ArrivedDatagram& arrived : datagrams) {
+                node.receive(arrived.datagram.bytes, ipv4From(arrived.datagram.from), now, merger);
+            }
         });
-        publishCounters();
-        sendDueReplies();
-        receiveNext();
+        lostBefore = std::max(lostBefore, datagrams.back().lostBefore);
+        publishStatus();
+        scheduleDeadline();
     }
 
     // A network that goes away must not turn this thread into a busy loop.
-    void retryLater() {
+    void waitLater() {
         retryTimer.expires_after(kRetryAfterError);
-        retryTimer.async_wait([this](const std::error_code&) { receiveNext(); });
+        retryTimer.async_wait([this](const std::error_code&) { waitForDatagrams(); });
     }
 
-    void publishCounters() {
-        const std::lock_guard lock(countersMutex);
-        publishedCounters = node.counters();
+    void publishStatus() {
+        const std::lock_guard lock(statusMutex);
+        publishedStatus = node.status();
+        publishedStatus.counters.droppedBySystem = lostBefore;
     }
 
-    void sendDueReplies() {
-        while (const auto reply = node.takeDueReply(Clock::now())) send(*reply);
-        const auto due = node.nextReplyDue();
-        if (!due) return;
-        replyTimer.expires_at(*due);
-        replyTimer.async_wait([this](const std::error_code& failure) {
-            if (!failure) sendDueReplies();
+    void scheduleDeadline() {
+        const auto deadline = node.nextDeadline();
+        if (!deadline || deadline == scheduled) return;
+        scheduled = deadline;
+        deadlineTimer.expires_at(*deadline);
+        deadlineTimer.async_wait([this](const std::error_code& failure) {
+            if (!failure) meetDeadline();
         });
+    }
+
+    void meetDeadline() {
+        const TimePoint now = Clock::now();
+        store.change([&](UniverseMerger& merger) {
+            merger.expire(now);
+            node.advance(now, merger);
+        });
+        while (const auto reply = node.takeDueReply(now)) send(*reply);
+        publishStatus();
+        scheduled.reset();
+        scheduleDeadline();
     }
 
     // A reply that cannot be sent is lost like any datagram; the desk polls again in a few seconds.
@@ -134,12 +164,14 @@ struct Receiver::Impl {
     ArtNetNode node;
     udp::socket socket;
     const std::uint16_t port;  // read by others, who must not touch the socket
-    asio::steady_timer replyTimer;
+    DatagramBatch batch;
+    const DatagramTap tap;
+    asio::steady_timer deadlineTimer;
     asio::steady_timer retryTimer;
-    std::array<std::uint8_t, kMaxDatagramSize> buffer{};
-    udp::endpoint from;
-    mutable std::mutex countersMutex;
-    ReceiverCounters publishedCounters;
+    std::uint32_t lostBefore = 0;        // by the system, of datagrams that came too fast
+    std::optional<TimePoint> scheduled;  // what deadlineTimer waits for
+    mutable std::mutex statusMutex;
+    ArtNetStatus publishedStatus;
     std::jthread thread;
 };
 
@@ -153,8 +185,12 @@ std::uint16_t Receiver::port() const {
 }
 
 ReceiverCounters Receiver::counters() const {
-    const std::lock_guard lock(impl_->countersMutex);
-    return impl_->publishedCounters;
+    return status().counters;
+}
+
+ArtNetStatus Receiver::status() const {
+    const std::lock_guard lock(impl_->statusMutex);
+    return impl_->publishedStatus;
 }
 
 }  // namespace hazer::protocol

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "protocol/artnet_node.h"
+#include "protocol/datagram.h"
 #include "protocol/receiver_counters.h"
 #include "protocol/universe_store.h"
 
@@ -20,6 +22,8 @@ struct ReceiverConfig {
     std::string longName = "hazer stage-lighting visualizer";  ///< At most 63 characters reach the wire.
     /// Replies to desks wait a random time from 0 up to this, as Art-Net 4 asks. 0 in tests.
     std::chrono::milliseconds maxPollReplyDelay{1000};
+    bool isProgrammable = false;  ///< Whether ArtAddress may change names, addresses and merging.
+    DatagramTap tap{};            ///< Hears everything that arrives; may be empty.
 };
 
 /// Owns the socket and the thread. From the constructor to the destructor, every universe that arrives stands
@@ -36,6 +40,7 @@ class Receiver {
 
     std::uint16_t port() const;         ///< The port really bound.
     ReceiverCounters counters() const;  ///< Thread-safe.
+    ArtNetStatus status() const;        ///< Thread-safe.
 
  private:
     struct Impl;

@@ -11,13 +11,6 @@
 namespace hazer::protocol {
 namespace {
 
-constexpr std::size_t kMaxNameLength = 64;
-
-void assignShort(std::string& text, std::string_view value) {
-    value = value.substr(0, kMaxNameLength);
-    if (text != value) text.assign(value);
-}
-
 struct UniverseSettings {
     std::optional<MergeMode> mode;
     std::optional<LossRule> loss;
@@ -89,7 +82,7 @@ struct UniverseMerger::Impl {
             MergedUniverse& universe = it->second;
             if (universe.isAskedFor) continue;
             universe.advance(now);
-            if (universe.isLive()) {
+            if (universe.hasLiveSource()) {
                 nextEviction = std::min(nextEviction, universe.nextDeadline());
             } else if (oldest == universes.end() || universe.lastHeard() < oldest->second.lastHeard()) {
                 oldest = it;
@@ -197,8 +190,7 @@ void UniverseMerger::describe(UniverseId id, const SourceId& source, std::string
     MergedUniverse* const universe = impl_->find(id);
     MergeSource* const described = universe ? universe->find(source) : nullptr;
     if (!described) return;
-    assignShort(described->name, name);
-    assignShort(described->address, address);
+    described->describe(name, address);
 }
 
 void UniverseMerger::countLate(UniverseId id, const SourceId& source) {
@@ -233,6 +225,12 @@ void UniverseMerger::cancelMerge(UniverseId id) {
 
 void UniverseMerger::clear(UniverseId id, TimePoint now) {
     if (MergedUniverse* const universe = impl_->find(id)) universe->clear(now);
+}
+
+bool UniverseMerger::isLive(UniverseId id) const {
+    const MergedUniverse* const universe = impl_->find(id);
+    const Look* const look = universe ? universe->findLook(id) : nullptr;
+    return look && universe->isLive(*look);
 }
 
 bool UniverseMerger::isMerging(UniverseId id) const {

@@ -53,6 +53,8 @@ struct Levels {
     std::uint8_t priority = kDefaultPriority;  ///< 0..200. Art-Net and USB have none and give the default.
     std::span<const std::uint8_t> slots{};     ///< 0..512 values; missing ones are 0 and are not controlled.
     bool isPreview = false;                    ///< sACN Preview_Data, for the status alone.
+    std::string_view name{};                   ///< As with describe; empty: as it was.
+    std::string_view address{};                ///< The same.
 };
 
 /// Levels that wait for a synchronization packet of this group. Art-Net: one group for each sending address
@@ -121,6 +123,9 @@ class UniverseMerger {
 
     /// ArtAddress AcClearOp: all slots 0 until the next levels.
     void clear(UniverseId universe, TimePoint now);
+
+    /// Whether any source of this universe is alive.
+    bool isLive(UniverseId universe) const;
 
     /// Whether two sources or more of this universe are alive.
     bool isMerging(UniverseId universe) const;

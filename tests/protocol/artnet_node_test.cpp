@@ -27,21 +27,22 @@ class ArtNetNodeTest : public testing::Test {
         return set[{Transport::kArtNet, portAddress}];
     }
 
-    std::vector<ArtPollReplyBytes> answersTo(ArtNetNode& node, const Bytes& poll) {
+    std::vector<Bytes> answersTo(ArtNetNode& node, const Bytes& poll) {
         node.receive(poll, kDesk, kStart, merger);
+        node.advance(kStart, merger);
         const auto reply = node.takeDueReply(kStart);
-        return reply ? node.packReply(*reply, kOwnAddress) : std::vector<ArtPollReplyBytes>{};
+        return reply ? node.packReply(*reply, kOwnAddress) : std::vector<Bytes>{};
     }
 
     UniverseMerger merger;
 };
 
-std::uint16_t portAddressOf(const ArtPollReplyBytes& reply) {
+std::uint16_t portAddressOf(const Bytes& reply) {
     return static_cast<std::uint16_t>(reply[18] << 8 | reply[19] << 4 | reply[190]);
 }
 
 std::uint64_t total(const ReceiverCounters& c) {
-    return c.dmx + c.late + c.refused + c.polls + c.ignored + c.malformed;
+    return c.dmx + c.late + c.refused + c.polls + c.syncs + c.control + c.ignored + c.malformed;
 }
 
 TEST_F(ArtNetNodeTest, PutsLevelsIntoTheStore) {
@@ -88,6 +89,10 @@ TEST_F(ArtNetNodeTest, EveryDatagramIsCountedOnce) {
     ArtNetNode node({.portAddresses = {1}});
     Bytes sync = pollDatagram();
     sync[9] = 0x52;
+    Bytes timeCode = pollDatagram();
+    timeCode[9] = 0x97;
+    Bytes unused = pollDatagram();
+    unused[9] = 0xF2;
     Bytes oldVersion = dmxDatagram({});
     oldVersion[11] = 13;
     const Bytes datagrams[] = {{},
@@ -97,12 +102,16 @@ TEST_F(ArtNetNodeTest, EveryDatagramIsCountedOnce) {
                                pollDatagram(),
                                targetedPollDatagram(2, 9),
                                sync,
+                               timeCode,
+                               unused,
                                oldVersion};
     for (const Bytes& datagram : datagrams) node.receive(datagram, kDesk, kStart, merger);
     const ReceiverCounters& counters = node.counters();
     EXPECT_EQ(counters.dmx, 1U);
     EXPECT_EQ(counters.polls, 1U);
-    EXPECT_EQ(counters.ignored, 3U);    // no slots, a poll for others, ArtSync
+    EXPECT_EQ(counters.syncs, 1U);
+    EXPECT_EQ(counters.control, 0U);
+    EXPECT_EQ(counters.ignored, 4U);    // no slots, a poll for others, a further time code stream, firmware
     EXPECT_EQ(counters.malformed, 3U);  // empty, one byte, version 13
     EXPECT_EQ(total(counters), std::size(datagrams));
 }
@@ -164,13 +173,11 @@ TEST_F(ArtNetNodeTest, RepliesWaitARandomTimeUpToTheMaximum) {
     std::set<TimePoint> times;
     for (std::uint32_t seed = 0; seed < 50; ++seed) {
         ArtNetNode node({.maxPollReplyDelay = milliseconds(1000), .randomSeed = seed});
-        EXPECT_FALSE(node.nextReplyDue());
+        EXPECT_FALSE(node.nextDeadline());
         node.receive(pollDatagram(), kDesk, kStart, merger);
-        const TimePoint due = node.nextReplyDue().value();
-        EXPECT_GE(due, kStart);
+        TimePoint due = kStart;
+        while (!node.takeDueReply(due) && due < kStart + milliseconds(2000)) due += milliseconds(1);
         EXPECT_LE(due, kStart + milliseconds(1000));
-        EXPECT_FALSE(node.takeDueReply(due - milliseconds(1)));
-        EXPECT_TRUE(node.takeDueReply(due));
         EXPECT_FALSE(node.takeDueReply(due));
         times.insert(due);
     }
@@ -198,6 +205,60 @@ TEST_F(ArtNetNodeTest, AFloodOfPollersIsOwedABoundedNumberOfReplies) {
     std::size_t replies = 0;
     while (node.takeDueReply(kStart)) ++replies;
     EXPECT_EQ(replies, ArtNetNode::kMaxPendingReplies);
+}
+
+TEST_F(ArtNetNodeTest, APollFromOurOwnAddressIsAnswered) {
+    ArtNetNode node({.portAddresses = {1}});
+    node.receive(pollDatagram(), {kOwnAddress, kArtNetPort}, kStart, merger);
+    EXPECT_TRUE(node.takeDueReply(kStart)) << "a desk on this machine";
+}
+
+TEST_F(ArtNetNodeTest, EveryPortAddressIsAnnouncedAsItself) {
+    ArtNetNodeConfig config;
+    for (unsigned i = 0; i <= kMaxPortAddress; ++i)
+        config.portAddresses.push_back(static_cast<std::uint16_t>(i));
+    ArtNetNode node(config);
+    const auto replies = answersTo(node, pollDatagram());
+    ASSERT_EQ(replies.size(), kMaxPortAddress + 1U);
+    for (std::size_t i = 0; i < replies.size(); ++i) {
+        ASSERT_EQ(portAddressOf(replies[i]), i);
+        const auto peer = std::get<PeerPollReply>(parseArtNet(replies[i]));
+        ASSERT_EQ(peer.wanted[0], i) << "as a desk reads it";
+    }
+}
+
+TEST_F(ArtNetNodeTest, SourcesAreCalledAsTheyCallThemselves) {
+    ArtNetNode node({});
+    const ArtPollReplyBytes reply = packArtPollReply({.ownAddress = kDesk.address,
+                                                      .shortName = "big\x01"
+                                                                   "desk"});
+    node.receive(reply, kDesk, kStart, merger);
+    node.receive(dmxDatagram({}), kDesk, kStart, merger);
+    const auto status = merger.status(kStart);
+    EXPECT_EQ(status.at(0).sources.at(0).address, "10.0.0.1");
+    EXPECT_EQ(status.at(0).sources.at(0).name,
+              "big\xEF\xBF\xBD"
+              "desk")
+        << "fit for a terminal";
+}
+
+TEST_F(ArtNetNodeTest, LevelsFarTooManyAreRefusedAndCounted) {
+    ArtNetNode node({});
+    for (std::uint8_t desk = 1; desk <= 3; ++desk) {
+        node.receive(dmxDatagram({.slots = {desk}}), {{10, 0, 0, desk}, 6454}, kStart, merger);
+    }
+    EXPECT_EQ(node.counters().dmx, 2U);
+    EXPECT_EQ(node.counters().refused, 1U);
+    EXPECT_EQ(universe(0).slots[0], 2);
+}
+
+TEST_F(ArtNetNodeTest, OtherStartCodesAreNoLevels) {
+    ArtNetNode node({});
+    Bytes nzs = dmxDatagram({.physical = 0xDD, .slots = {255, 255}});
+    nzs[9] = 0x51;
+    node.receive(nzs, kDesk, kStart, merger);
+    EXPECT_EQ(node.counters().ignored, 1U);
+    EXPECT_TRUE(merger.status(kStart).empty());
 }
 
 TEST_F(ArtNetNodeTest, TheNodeReportCountsReplies) {

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <future>
+#include <mutex>
 #include <thread>
 
 #include "protocol/network_error.h"
@@ -128,6 +131,64 @@ TEST(Receiver, GarbageIsCountedAndChangesNothing) {
     stranger.sendTo(receiver.port(), test::dmxDatagram({}));
     ASSERT_TRUE(comesTrue([&] { return receiver.counters().dmx == 1; }));
     EXPECT_EQ(receiver.counters().malformed, std::size(garbage));
+}
+
+TEST(Receiver, TheTapHearsEverythingAsItArrived) {
+    ReceiverConfig config = loopbackConfig();
+    std::mutex mutex;
+    std::vector<Bytes> heard;
+    Datagram last;
+    config.tap = [&](const Datagram& datagram) {
+        const std::lock_guard lock(mutex);
+        heard.emplace_back(datagram.bytes.begin(), datagram.bytes.end());
+        last = datagram;
+    };
+    UniverseStore store;
+    const Receiver receiver(config, store);
+    LoopbackSocket desk;
+    const Bytes packets[] = {{1, 2, 3}, test::dmxDatagram({}), {}};
+    const WallTime before = std::chrono::system_clock::now();
+    for (const Bytes& packet : packets) desk.sendTo(receiver.port(), packet);
+    ASSERT_TRUE(
+        comesTrue([&] { return receiver.counters().malformed == 2 && receiver.counters().dmx == 1; }));
+    const std::lock_guard lock(mutex);
+    EXPECT_TRUE(std::ranges::equal(heard, packets));
+    EXPECT_EQ(last.from.port, desk.port());
+    EXPECT_EQ(last.to.port, receiver.port());
+    EXPECT_EQ(last.to.address[0], 127);
+    EXPECT_GE(last.time, before - std::chrono::seconds(1));
+    EXPECT_LE(last.time, std::chrono::system_clock::now() + std::chrono::seconds(1));
+}
+
+TEST(Receiver, TellsTimeCodeAndTrigger) {
+    UniverseStore store;
+    const Receiver receiver(loopbackConfig(), store);
+    LoopbackSocket desk;
+    desk.sendTo(receiver.port(), packArtTimeCode({.minutes = 7}));
+    desk.sendTo(receiver.port(), packArtTrigger({.key = 3, .subKey = 1}));
+    ASSERT_TRUE(comesTrue([&] { return receiver.status().trigger.has_value(); }));
+    EXPECT_EQ(receiver.status().timeCode.value().code.minutes, 7);
+    EXPECT_EQ(receiver.status().trigger.value().key, 3);
+}
+
+TEST(Receiver, WhatTheSystemLosesIsCounted) {
+    UniverseStore store;
+    std::promise<void> go;
+    std::shared_future<void> mayGo = go.get_future().share();
+    ReceiverConfig config = loopbackConfig();
+    config.tap = [&](const Datagram&) { mayGo.wait(); };
+    const Receiver receiver(config, store);
+    LoopbackSocket flood;
+    const Bytes large(2000, 0);
+    const int sent = 50000;  // 100 MB, more than any receive buffer here
+    for (int i = 0; i < sent; ++i) flood.sendTo(receiver.port(), large);
+    go.set_value();
+    const auto malformed = [&] { return receiver.counters().malformed; };
+    ASSERT_TRUE(comesTrue([&] {
+        flood.sendTo(receiver.port(), Bytes{});
+        return receiver.counters().droppedBySystem > 0;
+    }));
+    EXPECT_LT(malformed(), static_cast<std::uint64_t>(sent));
 }
 
 TEST(Receiver, TwoOnOnePortBothHearBroadcasts) {

@@ -1,0 +1,277 @@
+// What it costs to have Art-Net in the store: nanoseconds a packet, allocations, and a loopback run at the
+// load of a large show.
+//     protocol_bench [--universes 512] [--fps 44] [--seconds 10] [--no-limit]
+#include <fmt/core.h>
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <asio/io_context.hpp>
+#include <asio/ip/udp.hpp>
+#include <chrono>
+#include <cstring>
+#include <thread>
+#include <vector>
+
+#include "protocol/artnet_node.h"
+#include "protocol/receiver.h"
+#include "protocol/universe_store.h"
+#include "tests/protocol/allocation_counter.h"
+
+namespace {
+
+using namespace hazer::protocol;
+using Bytes = std::vector<std::uint8_t>;
+using Seconds = std::chrono::duration<double>;
+
+constexpr std::size_t kSlotsOffset = 18;
+
+struct Options {
+    int universes = 512;
+    double fps = 44.0;
+    double seconds = 10.0;
+    bool skipsLimit = false;
+};
+
+double secondsSince(TimePoint start) {
+    return Seconds(Clock::now() - start).count();
+}
+
+std::vector<Bytes> frameOf(int universes) {
+    std::vector<Bytes> frame;
+    const Slots slots{};
+    for (int i = 0; i < universes; ++i) frame.push_back(packArtDmx(static_cast<std::uint16_t>(i), 0, slots));
+    return frame;
+}
+
+struct Cost {
+    double nanoseconds = 0.0;
+    double allocations = 0.0;  // of one
+};
+
+/// Runs `once(round)` for half a second after a warm-up; it does `count` of what is measured.
+template <class Once>
+Cost costOf(int count, Once once) {
+    for (int round = 0; round < 3; ++round) once(round);
+    const std::size_t allocationsBefore = hazer::test::allocationCount();
+    const TimePoint start = Clock::now();
+    int rounds = 0;
+    while (secondsSince(start) < 0.5) once(3 + rounds++);
+    const double total = static_cast<double>(rounds) * count;
+    return {secondsSince(start) * 1e9 / total,
+            static_cast<double>(hazer::test::allocationCount() - allocationsBefore) / total};
+}
+
+/// Parsing and copying, with nobody to merge with and nothing to remember.
+Cost costOfCopying(std::vector<Bytes> frame) {
+    std::vector<Slots> universes(frame.size());
+    return costOf(static_cast<int>(frame.size()), [&](int round) {
+        for (Bytes& packet : frame) {
+            packet[kSlotsOffset] = static_cast<std::uint8_t>(round);
+            const ArtNetPacket parsed = parseArtNet(packet);
+            const auto& dmx = std::get<ArtDmx>(parsed);
+            std::ranges::copy(dmx.slots, universes[dmx.portAddress].begin());
+        }
+    });
+}
+
+/// Through the node into the merger, from `sources` addresses in turn.
+Cost costOfMerging(std::vector<Bytes> frame, int sources) {
+    UniverseMerger merger;
+    ArtNetNode node{ArtNetNodeConfig{}};
+    TimePoint now{std::chrono::hours(1)};
+    const auto once = [&](int round) {
+        now += std::chrono::milliseconds(23);
+        const Endpoint from{{10, 0, 0, static_cast<std::uint8_t>(round % sources)}, kArtNetPort};
+        for (Bytes& packet : frame) {
+            packet[kSlotsOffset] = static_cast<std::uint8_t>(round);
+            node.receive(packet, from, now, merger);
+        }
+    };
+    return costOf(static_cast<int>(frame.size()), once);
+}
+
+Cost costOfLatching(const std::vector<Bytes>& frame) {
+    UniverseStore store;
+    ArtNetNode node{ArtNetNodeConfig{}};
+    const TimePoint now{std::chrono::hours(1)};
+    store.change([&](UniverseMerger& merger) {
+        for (const Bytes& packet : frame) node.receive(packet, {}, now, merger);
+    });
+    UniverseSet set;
+    return costOf(1, [&](int) { store.latch(set, now); });
+}
+
+double cpuSeconds(int who) {
+    rusage usage{};
+    getrusage(who, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+struct Load {
+    std::uint64_t sent = 0;
+    std::uint64_t taken = 0;
+    std::uint64_t droppedBySystem = 0;
+    double seconds = 0.0;
+    double receiverShare = 0.0;  // of a core
+    std::vector<double> latenciesUs;
+};
+
+/// A desk: all universes in one burst a frame, each packet with the moment of its sending in its first slots.
+class Desk {
+ public:
+    Desk(std::uint16_t port, int universes)
+        : socket_(context_, asio::ip::udp::v4()),
+          to_(asio::ip::address_v4::loopback(), port),
+          frame_(frameOf(universes)) {}
+
+    /// Returns the number of packets sent. `cpuS` becomes what this thread needed.
+    std::uint64_t play(double fps, double seconds, double& cpuS) {
+        const double cpuBefore = cpuSeconds(RUSAGE_THREAD);
+        const TimePoint start = Clock::now();
+        std::uint64_t sent = 0;
+        for (int i = 0; i / fps < seconds; ++i) {
+            std::this_thread::sleep_until(start +
+                                          std::chrono::duration_cast<Clock::duration>(Seconds(i / fps)));
+            for (Bytes& packet : frame_) sent += send(packet) ? 1U : 0U;
+        }
+        cpuS = cpuSeconds(RUSAGE_THREAD) - cpuBefore;
+        return sent;
+    }
+
+ private:
+    bool send(Bytes& packet) {
+        const Clock::rep now = Clock::now().time_since_epoch().count();
+        std::memcpy(&packet[kSlotsOffset], &now, sizeof now);
+        std::error_code failure;
+        socket_.send_to(asio::buffer(packet), to_, 0, failure);
+        return !failure;
+    }
+
+    asio::io_context context_;
+    asio::ip::udp::socket socket_;
+    asio::ip::udp::endpoint to_;
+    std::vector<Bytes> frame_;
+};
+
+/// From the call that sent a packet to the moment its batch was merged, for what came since the last look.
+void collectLatencies(const UniverseSet& set, TimePoint since, std::vector<double>& latenciesUs) {
+    for (const auto& [id, universe] : set) {
+        if (universe.lastReceived <= since) continue;
+        Clock::rep sent = 0;
+        std::memcpy(&sent, universe.slots.data(), sizeof sent);
+        const auto latency = universe.lastReceived.time_since_epoch() - Clock::duration(sent);
+        latenciesUs.push_back(std::chrono::duration<double, std::micro>(latency).count());
+    }
+}
+
+Load measureLoad(int universes, double fps, double seconds, bool latches) {
+    ReceiverConfig config;
+    config.address = "127.0.0.1";
+    config.port = 0;
+    UniverseStore store;
+    const Receiver receiver(config, store);
+    Load load;
+    double deskCpuS = 0.0;
+    const double processBefore = cpuSeconds(RUSAGE_SELF);
+    const double ownBefore = cpuSeconds(RUSAGE_THREAD);
+    const TimePoint start = Clock::now();
+    std::atomic<bool> isOver = false;
+    std::thread desk([&] {
+        load.sent = Desk(receiver.port(), universes).play(fps, seconds, deskCpuS);
+        isOver = true;
+    });
+    UniverseSet set;
+    TimePoint lastLook{};
+    while (!isOver) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(16));
+        if (!latches) continue;
+        const TimePoint now = Clock::now();
+        store.latch(set, now);
+        collectLatencies(set, lastLook, load.latenciesUs);
+        lastLook = now;
+    }
+    desk.join();
+    load.seconds = secondsSince(start);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    load.receiverShare =
+        (cpuSeconds(RUSAGE_SELF) - processBefore - (cpuSeconds(RUSAGE_THREAD) - ownBefore) - deskCpuS) /
+        load.seconds;
+    load.taken = receiver.counters().dmx;
+    load.droppedBySystem = receiver.counters().droppedBySystem;
+    return load;
+}
+
+double quantile(std::vector<double>& values, double share) {
+    if (values.empty()) return 0.0;
+    const auto place =
+        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::ranges::nth_element(values, place);
+    return *place;
+}
+
+void printLoad(int universes, double fps, Load load) {
+    fmt::print("| {} universes at {:.0f} Hz, {:.0f} s | {} sent, {} lost ({} by the system) |\n", universes,
+               fps, load.seconds, load.sent, load.sent - load.taken, load.droppedBySystem);
+    fmt::print("| receive and merge thread | {:.1f} % of a core |\n", 100.0 * load.receiverShare);
+    fmt::print("| packet to store | median {:.0f} us, p99 {:.0f} us |\n", quantile(load.latenciesUs, 0.5),
+               quantile(load.latenciesUs, 0.99));
+}
+
+/// Doubles the rate from that of the show until packets are lost.
+void printLimit(int universes, double fps) {
+    double lossless = 0.0;
+    for (double rate = fps; rate < 4000.0; rate *= 1.25) {
+        const Load load = measureLoad(universes, rate, 2.0, false);
+        if (load.taken < load.sent) {
+            fmt::print("| first loss | at {:.0f} packets/s: {} of {} |\n",
+                       static_cast<double>(load.sent) / load.seconds, load.sent - load.taken, load.sent);
+            break;
+        }
+        const double achieved = static_cast<double>(load.sent) / load.seconds;
+        if (achieved < lossless) break;  // the sender can no more
+        lossless = achieved;
+    }
+    fmt::print("| highest rate without loss | {:.0f} packets/s = {:.0f} universes at 44 Hz |\n", lossless,
+               lossless / 44.0);
+}
+
+Options parse(int argc, char** argv) {
+    Options options;
+    CLI::App app{"What it costs to have Art-Net in the store"};
+    app.add_option("--universes", options.universes)->check(CLI::Range(1, 32768));
+    app.add_option("--fps", options.fps)->check(CLI::Range(1.0, 1000.0));
+    app.add_option("--seconds", options.seconds)->check(CLI::Range(1.0, 3600.0));
+    app.add_flag("--no-limit", options.skipsLimit, "Do not look for the highest rate");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        std::exit(app.exit(error));
+    }
+    return options;
+}
+
+void printCost(const char* what, const Cost& cost) {
+    fmt::print("| {} | {:.0f} ns, {:.3f} allocations |\n", what, cost.nanoseconds, cost.allocations);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const Options options = parse(argc, argv);
+    const std::vector<Bytes> frame = frameOf(options.universes);
+    fmt::print("| what | measured |\n|---|---|\n");
+    printCost("baseline: parse one ArtDmx and copy its slots", costOfCopying(frame));
+    printCost("parse and merge one ArtDmx, one source", costOfMerging(frame, 1));
+    printCost("the same, two sources", costOfMerging(frame, 2));
+    const Cost latch = costOfLatching(frame);
+    fmt::print("| latch {} universes | {:.0f} us, {:.3f} allocations |\n", options.universes,
+               latch.nanoseconds / 1000.0, latch.allocations);
+    printLoad(options.universes, options.fps,
+              measureLoad(options.universes, options.fps, options.seconds, true));
+    if (!options.skipsLimit) printLimit(options.universes, options.fps);
+}
