@@ -149,11 +149,14 @@ Real3 throughGobo(Real4 values, Real spread, GoboLine line, Real firstLayer, boo
     }
     Real4 ofSharper = goboCoefficients(values - blurrier, spread);
     Real4 ofBlurrier = goboCoefficients(blurrier, spread);
-    Real3 sum;
-    for (int channel = 0; channel < 3; ++channel) {
+    Real3 sum = Real3(Real(0.0));
+    int channels = coloured ? 3 : 1;
+    int channel = 0;
+    do {
         Real layer = firstLayer + Real(channel);
-        sum[channel] = dot(ofSharper, goboMoments(line, layer, level)) + dot(ofBlurrier, goboMoments(line, layer, level + 1));
-        if (!coloured) return Real3(sum[0]);
-    }
+        Real through = dot(ofSharper, goboMoments(line, layer, level)) + dot(ofBlurrier, goboMoments(line, layer, level + 1));
+        sum = channel == 0 ? Real3(through) : channel == 1 ? Real3(sum.x, through, through) : Real3(sum.x, sum.y, through);
+        ++channel;
+    } while (channel < channels);
     return sum;
 }
