@@ -65,28 +65,24 @@ LitPart litPart(LampRay ray, BeamOptics optics, HazeMedium haze, Real tEnd) {
     return lit;
 }
 
-// A beam without an edge to speak of: four nodes a piece. A long part is cut into up to eight arcs of one ratio of tangents, as far as the
+// A beam without an edge to speak of: four nodes a piece. A part whose tangents have a ratio of five and more is cut into arcs, as far as the
 // integrand changes along it, and one in which the light fades after four optical depths. `pieces` is how many even pieces each arc has.
 Real integrateSmooth(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit, int pieces) {
+    const Real LONG_RATIO = Real(5.0);
+    const Real CUT_RATIO = Real(3.0);
     // Far behind the lobes' singularities the light may still fade.
     bool fadesFar = lit.from > Real(1e-3) * lit.fade && lit.to > Real(0.2) * lit.fade;
     Real2 singular = Real2(lit.singular.x, fadesFar ? max(lit.singular.y, lit.fade) : lit.singular.y);
-    Real first = max(lit.from, Real(0.25) * singular.x);
-    Real ratio = max(min(lit.to, Real(4.0) * singular.y) / first, Real(1.0));
-    int arcs = ratio < Real(5.0) ? 1 : ratio < Real(25.0) ? 2 : ratio < Real(300.0) ? 4 : 8;
-    ratio = arcs < 2 ? ratio : sqrt(ratio);
-    ratio = arcs < 4 ? ratio : sqrt(ratio);
-    ratio = arcs < 8 ? ratio : sqrt(ratio);
-    bool fades = arcs == 1 && lit.to - lit.from > Real(5.0) * lit.fade;
+    Real last = min(lit.to, Real(4.0) * singular.y);
+    bool fades = lit.to - lit.from > Real(5.0) * lit.fade;
     Real length = Real(1.0) / Real(pieces);
     Real sum = Real(0.0);
     Real from = lit.from;
-    Real cut = fades ? lit.from + Real(4.0) * lit.fade : first * ratio;
-    arcs = fades ? 2 : arcs;
     int piece = 0;
-    int done = 0;
     do {
-        Real to = done + 1 == arcs ? lit.to : clamp(cut, from, lit.to);
+        Real first = max(from, Real(0.25) * singular.x);
+        Real to = first * LONG_RATIO < last ? first * CUT_RATIO : lit.to;
+        to = fades ? min(to, from + Real(4.0) * lit.fade) : to;
         Arc arc = makeArc(singular, from, to);
         for (int i = 0; i < 4; ++i) {
             Real jacobian;
@@ -96,10 +92,9 @@ Real integrateSmooth(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart li
         ++piece;
         bool next = piece == pieces;
         piece = next ? 0 : piece;
-        done += next ? 1 : 0;
         from = next ? to : from;
-        cut *= next ? ratio : Real(1.0);
-    } while (done < arcs);
+        fades = fades && !next;
+    } while (from < lit.to);
     return sum * length;
 }
 
