@@ -12,8 +12,8 @@ namespace hazer::render::glsl {
 
 // GLSL's built-ins under their own names.
 using glm::abs, glm::atan, glm::ceil, glm::clamp, glm::cos, glm::cross, glm::dot, glm::exp, glm::exp2,
-    glm::findLSB, glm::floor, glm::inversesqrt, glm::length, glm::log2, glm::max, glm::min, glm::normalize,
-    glm::pow, glm::sin, glm::sqrt;
+    glm::floatBitsToInt, glm::floor, glm::inversesqrt, glm::length, glm::log2, glm::max, glm::min,
+    glm::normalize, glm::pow, glm::sin, glm::sqrt;
 
 /// What the formulas ask of whoever includes them, where nothing stands in the light's way and the haze is
 /// even. Derive from it to say otherwise.

@@ -73,13 +73,10 @@ bool placeSeesLamp(vec3 place) { return seesLamp(place); }
 vec3 shadePlace(vec3 pointM) {
     ShadowFace face = shadowFace(0);
     float perM = 1.0 / max(-pointM.z, face.tile.w);
-    return vec3(pointM.xy * perM * face.map.xy + face.map.zw, face.tile.w * perM);
+    return vec3(withinTile(face, pointM.xy * perM * face.map.xy + face.map.zw) / vec2(textureSize(shadowAtlas, 0)), shadowNearness(face) * perM);
 }
 float placeWeight(vec3 place) { return place.z; }
-bool placeSeesLamp(vec3 place) {
-    ShadowFace face = shadowFace(0);
-    return place.z * (1.0 + shadowTexel(face)) >= shadowDepth(face, place.xy);
-}
+bool placeSeesLamp(vec3 place) { return place.z >= textureLod(shadowAtlas, place.xy, 0.0).r; }
 #endif
 #else
 vec3 shadePlace(vec3 pointM) { return pointM; }

@@ -38,40 +38,46 @@ int darkPlaces(ShadeLine line, int intervals) {
     Real apart = Real(1.0) / Real(max(intervals, 1));
     int dark = 0;
     int i = 0;
+    // Two at a time; what that is beyond the last place does not count.
     do {
         dark |= seesLampFrom(line, Real(i) * apart) ? 0 : 1 << i;
-        ++i;
+        dark |= seesLampFrom(line, min(Real(i + 1) * apart, Real(1.0))) ? 0 : 2 << i;
+        i += 2;
     } while (i <= intervals);
-    return intervals > 0 ? dark : 0;
+    return intervals > 0 ? dark & ((2 << intervals) - 1) : 0;
 }
+
+// As findLSB, which graphics drivers that have no instruction for it make slow; -127 if there is none. Bits are below the 30th.
+int lowestBit(int bits) { return (floatBitsToInt(float(bits & -bits)) >> 23) - 127; }
 
 // The first run of dark places, taken out of `dark`: from where to where, in x, its ends found by bisection. False if there is none.
 bool nextDarkRun(ShadeLine line, int intervals, INOUT(int) dark, OUT(Real) from, OUT(Real) to) {
     Real apart = Real(1.0) / Real(max(intervals, 1));
-    int first = findLSB(dark);
+    int first = lowestBit(dark);
     bool some = first >= 0;
     first = max(first, 0);
-    int last = first + max(findLSB(~(dark >> first)), 1) - 1;
+    int last = first + max(lowestBit(~(dark >> first)), 1) - 1;
     dark &= -(2 << last);
-    Real litBefore = Real(max(first - 1, 0)) * apart;
-    Real litBehind = Real(min(last + 1, intervals)) * apart;
-    from = Real(first) * apart;
-    to = Real(last) * apart;
-    int steps = some ? line.bisections : 1;
-    int step = 0;
+    // The ends take turns, one look at a time.
+    Real lit = Real(max(first - 1, 0)) * apart;
+    Real unlit = Real(first) * apart;
+    Real nextLit = Real(min(last + 1, intervals)) * apart;
+    Real nextUnlit = Real(last) * apart;
+    int looks = some ? 2 * line.bisections : 1;
+    int look = 0;
     do {
-        Real before = Real(0.5) * (litBefore + from);
-        Real behind = Real(0.5) * (litBehind + to);
-        bool seesBefore = seesLampFrom(line, before);
-        bool seesBehind = seesLampFrom(line, behind);
-        litBefore = seesBefore ? before : litBefore;
-        from = seesBefore ? from : before;
-        litBehind = seesBehind ? behind : litBehind;
-        to = seesBehind ? to : behind;
-        ++step;
-    } while (step < steps);
-    from = Real(0.5) * (litBefore + from);
-    to = Real(0.5) * (litBehind + to);
+        Real middle = Real(0.5) * (lit + unlit);
+        bool sees = seesLampFrom(line, middle);
+        Real litHere = sees ? middle : lit;
+        Real unlitHere = sees ? unlit : middle;
+        lit = nextLit;
+        unlit = nextUnlit;
+        nextLit = litHere;
+        nextUnlit = unlitHere;
+        ++look;
+    } while (look < looks);
+    from = Real(0.5) * (lit + unlit);
+    to = Real(0.5) * (nextLit + nextUnlit);
     return some;
 }
 

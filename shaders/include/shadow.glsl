@@ -39,10 +39,14 @@ ShadowFace shadowFaceFor(inout vec3 pointM, inout vec3 direction) {
 // Tangent of the larger edge of a texel.
 float shadowTexel(ShadowFace face) { return 1.0 / min(face.map.x, face.map.y); }
 
-// Depth of a texel of the atlas; beside the tile that of its rim, which is lit.
-float shadowDepth(ShadowFace face, vec2 place) {
-    return texelFetch(shadowAtlas, ivec2(clamp(place, face.tile.xy, face.tile.xy + face.tile.z)), 0).r;
-}
+// A place beside the tile is moved to its rim, which is lit.
+vec2 withinTile(ShadowFace face, vec2 place) { return clamp(place, face.tile.xy, face.tile.xy + face.tile.z); }
+
+// Depth of a texel of the atlas.
+float shadowDepth(vec2 place) { return texelFetch(shadowAtlas, ivec2(place), 0).r; }
+
+// Over the axial distance of a point in the air [m]: the depth of what it may lie behind and still be lit.
+float shadowNearness(ShadowFace face) { return face.tile.w * (1.0 + shadowTexel(face)); }
 
 void cutToFace(LampRay ray, int index, inout float sFrom, inout float sTo) {
     ShadowFace face = shadowFace(index);
@@ -79,7 +83,7 @@ bool seesLamp(vec3 pointM) {
     vec3 unused = vec3(0.0);
     ShadowFace face = shadowFaceFor(pointM, unused);
     float perM = 1.0 / max(-pointM.z, face.tile.w);
-    return face.tile.w * (1.0 + shadowTexel(face)) * perM >= shadowDepth(face, pointM.xy * perM * face.map.xy + face.map.zw);
+    return shadowNearness(face) * perM >= shadowDepth(withinTile(face, pointM.xy * perM * face.map.xy + face.map.zw));
 }
 
 // Steps off a surface before it is looked up, in texels [1]: what a curved body's facets and its smooth normal disagree about.
