@@ -7,6 +7,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/universe_name.h"
+
 namespace hazer::app {
 namespace {
 
@@ -146,7 +148,7 @@ Json describeShow(const Show& show, const Patch& patch) {
         fixtures.push_back({{"name", patched.fixture.name()},
                             {"gdtf", written->gdtf},
                             {"mode", patched.fixture.mode().name},
-                            {"protocol", "artnet"},
+                            {"protocol", protocolName(patched.universe.transport)},
                             {"universe", patched.universe.number},
                             {"slots", describeSlots(patched.fixture)}});
         ++written;
@@ -180,8 +182,8 @@ std::string summarizeShow(const Show& show, const Patch& patch) {
     const auto out = std::back_inserter(text);
     for (const PatchedFixture& patched : patch.fixtures()) {
         const fixtures::Fixture& fixture = patched.fixture;
-        fmt::format_to(out, "  {:<20} Port-Address {}, slots {} to {}: {}, mode '{}'\n", fixture.name(),
-                       patched.universe.number, fixture.address(),
+        fmt::format_to(out, "  {:<20} {}, slots {} to {}: {}, mode '{}'\n", fixture.name(),
+                       describeUniverse(patched.universe), fixture.address(),
                        fixture.address() + fixture.mode().footprint - 1, fixture.type().name,
                        fixture.mode().name);
     }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/paths.h"
+#include "app/usb_inputs.h"
 
 namespace hazer::app {
 namespace {
@@ -43,7 +44,9 @@ Session::Session(Show show, const SessionOptions& options)
         spdlog::warn("{}: {}", show_.file.string(), warning);
     for (const std::string& overlap : patch_.overlaps()) spdlog::warn("{}: {}", show_.file.string(), overlap);
     patch_.settle();
-    if (options.listen) listen(options.port);
+    if (!options.listen) return;
+    listen(options.port);
+    listenToUsb();
 }
 
 void Session::listen(const std::optional<std::uint16_t>& port) {
@@ -53,11 +56,24 @@ void Session::listen(const std::optional<std::uint16_t>& port) {
         store_.change([&](protocol::UniverseMerger& merger) { merger.ask(universe); });
     }
     for (const ShowInput& input : inputs) {
+        if (input.transport != protocol::Transport::kArtNet) continue;
         protocol::ReceiverConfig config;
         config.address = input.address;
         config.port = port.value_or(input.port);
         config.portAddresses = portAddressesOf(patch_);
         receivers_.push_back(std::make_unique<protocol::Receiver>(config, store_));
+    }
+}
+
+void Session::listenToUsb() {
+    const auto wish = usbWishOf(show_.inputs, patch_.universes());
+    if (!wish) return;
+    if (wish->isAskedFor || protocol::UsbInput::isBuiltIn()) {
+        usb_ = std::make_unique<protocol::UsbInput>(wish->config, store_);
+    } else {
+        spdlog::warn(
+            "{}: fixtures are patched to DMX lines, but this hazer was built without USB (HAZER_USB=OFF)",
+            show_.file.string());
     }
 }
 
@@ -92,6 +108,10 @@ protocol::ReceiverCounters Session::counters() const {
         sum.malformed += one.malformed;
     }
     return sum;
+}
+
+std::vector<protocol::UsbLineStatus> Session::usbDevices() const {
+    return usb_ ? usb_->devices() : std::vector<protocol::UsbLineStatus>{};
 }
 
 std::uint16_t Session::port() const {

@@ -11,6 +11,7 @@
 #include "app/staging.h"
 #include "protocol/receiver.h"
 #include "protocol/universe_store.h"
+#include "protocol/usb/usb_input.h"
 #include "render/renderer.h"
 
 namespace hazer::app {
@@ -68,8 +69,12 @@ class Session {
     /// The UDP port that the first receiver really bound; 0 if nothing listens.
     std::uint16_t port() const;
 
+    /// Every USB interface that the show wants and that is plugged in.
+    std::vector<protocol::UsbLineStatus> usbDevices() const;
+
  private:
     void listen(const std::optional<std::uint16_t>& port);
+    void listenToUsb();
 
     Show show_;
     Patch patch_;
@@ -81,7 +86,8 @@ class Session {
     protocol::UniverseStore store_;
     protocol::UniverseSet latched_;
     std::vector<std::unique_ptr<protocol::Receiver>>
-        receivers_;  ///< After store_: their threads write into it.
+        receivers_;                            ///< After store_: their threads write into it.
+    std::unique_ptr<protocol::UsbInput> usb_;  ///< The same.
     FrameTimes frameTimes_;
     double timeS_ = 0.0;
 };

@@ -25,7 +25,18 @@ constexpr Limits kLight{0.0, 1e6};  // cd/m2, lx
 constexpr Limits kSize{0.0, 1e5};   // m
 constexpr Limits kPerMetre{0.0, 10.0};
 
-const std::vector<std::string> kProtocols{"artnet"};
+const std::vector<std::string> kInputProtocols{"artnet", "usb"};
+
+/// What a fixture may be patched to.
+struct PatchProtocol {
+    protocol::Transport transport;
+    Limits universes;
+};
+const std::vector<std::string> kPatchProtocolNames{"artnet", "dmx"};
+constexpr std::array kPatchProtocols{
+    PatchProtocol{protocol::Transport::kArtNet, {0, 32767}},
+    PatchProtocol{protocol::Transport::kDmx, {1, 65535}},
+};
 
 // In the order of ObjectShape.
 const std::vector<std::string> kShapes{"floor",  "wall",   "box",   "cylinder", "sphere",
@@ -128,9 +139,19 @@ float readExposure(TomlReader reader, float otherwise) {
     return ev100;
 }
 
-ShowInput readInput(TomlReader& reader) {
+ShowInput readUsbInput(TomlReader& reader) {
     ShowInput input;
-    reader.choice("protocol", kProtocols, 0);
+    input.transport = protocol::Transport::kDmx;
+    input.usbSerial = reader.text("serial", "");
+    if (reader.has("universe"))
+        input.usbUniverse = static_cast<std::uint16_t>(reader.requiredInteger("universe", {1, 65535}));
+    reader.refuseUnknownKeys();
+    return input;
+}
+
+ShowInput readInput(TomlReader& reader) {
+    if (kInputProtocols[reader.choice("protocol", kInputProtocols, 0)] == "usb") return readUsbInput(reader);
+    ShowInput input;
     input.address = reader.text("address", input.address);
     input.port = static_cast<std::uint16_t>(reader.integer("port", input.port, {0, 65535}));
     reader.refuseUnknownKeys();
@@ -159,8 +180,10 @@ ShowFixture readFixture(TomlReader& reader) {
     fixture.name = reader.requiredText("name");
     fixture.gdtf = reader.requiredText("gdtf");
     fixture.mode = reader.requiredText("mode");
-    reader.choice("protocol", kProtocols, 0);
-    fixture.universe.number = static_cast<std::uint16_t>(reader.requiredInteger("universe", {0, 32767}));
+    const PatchProtocol& patched = kPatchProtocols[reader.choice("protocol", kPatchProtocolNames, 0)];
+    fixture.universe.transport = patched.transport;
+    fixture.universe.number =
+        static_cast<std::uint16_t>(reader.requiredInteger("universe", patched.universes));
     fixture.slot = reader.requiredInteger("slot", {1, 512});
     fixture.positionM = reader.vector("position", glm::dvec3(0.0), kLength);
     fixture.rotationDeg = reader.vector("rotation", glm::dvec3(0.0), kAngle);

@@ -9,6 +9,7 @@
 #include "app/panels/picture_panel.h"
 #include "app/panels/scene_panel.h"
 #include "app/panels/timing_panel.h"
+#include "app/panels/usb_panel.h"
 
 namespace hazer::app {
 namespace {
@@ -50,6 +51,7 @@ void drawSceneColumn(Session& session, WindowState& state) {
     if (beginSection("Camera")) drawCameraControls(session.show(), state);
     if (beginSection("Times")) drawTimings(session, state.frameTimes);
     if (beginSection("Network")) drawNetwork(session, state.packetRates);
+    if (!session.usbDevices().empty() && beginSection("USB")) drawUsb(session);
     ImGui::PopItemWidth();
 }
 

@@ -1,0 +1,58 @@
+#include "app/panels/usb_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <string>
+
+namespace hazer::app {
+namespace {
+
+using protocol::UsbLineStatus;
+using protocol::UsbState;
+
+const char* stateName(UsbState state) {
+    switch (state) {
+        case UsbState::kStarting:
+            return "starting";
+        case UsbState::kReceiving:
+            return "receiving";
+        case UsbState::kSilent:
+            return "no DMX";
+        case UsbState::kFailed:
+            return "cannot be used";
+    }
+    return "";
+}
+
+/// "DMX USB Pro 1.44, socket 1-1.2, serial EN123456".
+std::string detailsOf(const UsbLineStatus& line) {
+    std::string details = line.facts.kind;
+    if (!line.facts.firmware.empty()) details += " " + line.facts.firmware;
+    if (!details.empty()) details += ", ";
+    return details + fmt::format("socket {}, serial {}", line.socket, line.key);
+}
+
+void drawCounts(const protocol::UsbWidgetFacts& facts) {
+    ImGui::BulletText("%s", fmt::format("{} frames, {} lost, {} other start codes, {} malformed",
+                                        facts.frames, facts.lostFrames, facts.otherCodes, facts.malformed)
+                                .c_str());
+}
+
+}  // namespace
+
+void drawUsb(const Session& session) {
+    for (const UsbLineStatus& line : session.usbDevices()) {
+        ImGui::TextWrapped(
+            "%s",
+            fmt::format("DMX {}: {}, {}", line.universe.number, line.name, stateName(line.state)).c_str());
+        ImGui::TextDisabled("%s", detailsOf(line).c_str());
+        if (line.problem.empty()) {
+            drawCounts(line.facts);
+        } else {
+            ImGui::TextWrapped("%s", line.problem.c_str());
+        }
+    }
+}
+
+}  // namespace hazer::app
