@@ -169,7 +169,8 @@ std::size_t UniverseMerger::showHeld(SyncGroup group, TimePoint now) {
         touched.push_back(&universe);
     }
     std::ranges::sort(touched);
-    touched.erase(std::ranges::unique(touched).begin(), touched.end());
+    // clang 14 cannot compile std::ranges::unique of g++ 12's library.
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     for (MergedUniverse* const universe : touched) universe->mergeLooks(now);
     return touched.size();
 }

@@ -1,5 +1,5 @@
 # Builds the Debian package, unpacks it somewhere else, and lets the program in it draw a shipped show.
-#   cmake -D BUILD=<build tree> -D WORK=<scratch folder> -P tests/check_package.cmake
+#   cmake -D BUILD=<build tree> -D WORK=<scratch folder> -D USB=<HAZER_USB> -P tests/check_package.cmake
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE "${WORK}")
@@ -14,6 +14,12 @@ foreach(library libc6 libepoxy0 libopenimageio libzip libegl1)
         message(SEND_ERROR "the package does not depend on ${library}: ${depends}")
     endif()
 endforeach()
+
+if(USB AND NOT (depends MATCHES "libusb" AND EXISTS "${WORK}/root/usr/lib/udev/rules.d/60-hazer-usb.rules"))
+    message(SEND_ERROR "the package lacks libusb or the rule that lets people open USB interfaces: ${depends}")
+elseif(NOT USB AND depends MATCHES "libusb")
+    message(SEND_ERROR "the package depends on libusb, which it was built without: ${depends}")
+endif()
 
 set(draw "${WORK}/root/usr/bin/hazer" render "${WORK}/root/usr/share/hazer/app/shows/one-spot.toml"
     --size 64x36 --out "${WORK}/picture.png")

@@ -60,4 +60,5 @@ if(HAZER_WINDOW)
     target_link_libraries(headers_alone PRIVATE PkgConfig::IMGUI)
 endif()
 
-hazer_add_check(package check_package.cmake "BUILD=${PROJECT_BINARY_DIR}" "WORK=${CMAKE_CURRENT_BINARY_DIR}/package")
+hazer_add_check(package check_package.cmake "BUILD=${PROJECT_BINARY_DIR}" "WORK=${CMAKE_CURRENT_BINARY_DIR}/package"
+    "USB=${HAZER_USB}")
