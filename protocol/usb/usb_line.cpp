@@ -272,6 +272,7 @@ void UsbLine::advance(TimePoint now) {
 }
 
 std::optional<TimePoint> UsbLine::nextDeadline() const {
+    if (impl_->write.isInFlight) return std::nullopt;  // its end wakes us
     return impl_->widget->nextDeadline();
 }
 
