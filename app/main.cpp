@@ -52,6 +52,7 @@ int main(int argumentCount, char** arguments) {
     addRenderCommand(program, chosen);
     addReportCommand(program, chosen);
     addSendCommand(program, chosen);
+    addMonitorCommand(program, chosen);
     addInspectCommand(program, chosen);
     addExplainCommand(program, chosen);
     try {

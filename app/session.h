@@ -6,12 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "app/inputs.h"
 #include "app/patch.h"
 #include "app/show.h"
 #include "app/staging.h"
-#include "protocol/receiver.h"
-#include "protocol/universe_store.h"
-#include "protocol/usb/usb_input.h"
+#include "protocol/universe_merger.h"
 #include "render/renderer.h"
 
 namespace hazer::app {
@@ -63,19 +62,17 @@ class Session {
     /// What had arrived when the last frame took its universes.
     const protocol::UniverseSet& universes() const { return latched_; }
 
-    /// What all receivers together have seen; zeros if nothing listens.
-    protocol::ReceiverCounters counters() const;
+    /// What all receivers of Art-Net together have seen; zeros if nothing listens.
+    protocol::ReceiverCounters counters() const { return inputs_.artNet().counters; }
+
+    /// Who sends, and all else there is to know about what arrives.
+    Inputs& inputs() { return inputs_; }
+    const Inputs& inputs() const { return inputs_; }
 
     /// The UDP port that the first receiver really bound; 0 if nothing listens.
-    std::uint16_t port() const;
-
-    /// Every USB interface that the show wants and that is plugged in.
-    std::vector<protocol::UsbLineStatus> usbDevices() const;
+    std::uint16_t port() const { return inputs_.port(); }
 
  private:
-    void listen(const std::optional<std::uint16_t>& port);
-    void listenToUsb();
-
     Show show_;
     Patch patch_;
     render::Renderer renderer_;
@@ -83,11 +80,8 @@ class Session {
     SceneControls controls_;
     render::Camera camera_;
     render::Settings settings_;
-    protocol::UniverseStore store_;
+    Inputs inputs_;
     protocol::UniverseSet latched_;
-    std::vector<std::unique_ptr<protocol::Receiver>>
-        receivers_;                            ///< After store_: their threads write into it.
-    std::unique_ptr<protocol::UsbInput> usb_;  ///< The same.
     FrameTimes frameTimes_;
     double timeS_ = 0.0;
 };

@@ -25,18 +25,10 @@ constexpr Limits kLight{0.0, 1e6};  // cd/m2, lx
 constexpr Limits kSize{0.0, 1e5};   // m
 constexpr Limits kPerMetre{0.0, 10.0};
 
-const std::vector<std::string> kInputProtocols{"artnet", "usb"};
-
-/// What a fixture may be patched to.
-struct PatchProtocol {
-    protocol::Transport transport;
-    Limits universes;
-};
-const std::vector<std::string> kPatchProtocolNames{"artnet", "dmx"};
-constexpr std::array kPatchProtocols{
-    PatchProtocol{protocol::Transport::kArtNet, {0, 32767}},
-    PatchProtocol{protocol::Transport::kDmx, {1, 65535}},
-};
+// In the order of protocol::Transport.
+const std::vector<std::string> kProtocols{"artnet", "sacn", "dmx", "any"};
+// The universes of each.
+constexpr Limits kUniverses[]{{0, 32767}, {1, 63999}, {1, 65535}, {1, 63999}};
 
 // In the order of ObjectShape.
 const std::vector<std::string> kShapes{"floor",  "wall",   "box",   "cylinder", "sphere",
@@ -139,25 +131,6 @@ float readExposure(TomlReader reader, float otherwise) {
     return ev100;
 }
 
-ShowInput readUsbInput(TomlReader& reader) {
-    ShowInput input;
-    input.transport = protocol::Transport::kDmx;
-    input.usbSerial = reader.text("serial", "");
-    if (reader.has("universe"))
-        input.usbUniverse = static_cast<std::uint16_t>(reader.requiredInteger("universe", {1, 65535}));
-    reader.refuseUnknownKeys();
-    return input;
-}
-
-ShowInput readInput(TomlReader& reader) {
-    if (kInputProtocols[reader.choice("protocol", kInputProtocols, 0)] == "usb") return readUsbInput(reader);
-    ShowInput input;
-    input.address = reader.text("address", input.address);
-    input.port = static_cast<std::uint16_t>(reader.integer("port", input.port, {0, 65535}));
-    reader.refuseUnknownKeys();
-    return input;
-}
-
 ShowCamera readCamera(TomlReader& reader) {
     ShowCamera named;
     named.name = reader.requiredText("name");
@@ -180,10 +153,10 @@ ShowFixture readFixture(TomlReader& reader) {
     fixture.name = reader.requiredText("name");
     fixture.gdtf = reader.requiredText("gdtf");
     fixture.mode = reader.requiredText("mode");
-    const PatchProtocol& patched = kPatchProtocols[reader.choice("protocol", kPatchProtocolNames, 0)];
-    fixture.universe.transport = patched.transport;
+    const std::size_t protocol = reader.choice("protocol", kProtocols, 0);
+    fixture.universe.transport = static_cast<protocol::Transport>(protocol);
     fixture.universe.number =
-        static_cast<std::uint16_t>(reader.requiredInteger("universe", patched.universes));
+        static_cast<std::uint16_t>(reader.requiredInteger("universe", kUniverses[protocol]));
     fixture.slot = reader.requiredInteger("slot", {1, 512});
     fixture.positionM = reader.vector("position", glm::dvec3(0.0), kLength);
     fixture.rotationDeg = reader.vector("rotation", glm::dvec3(0.0), kAngle);
@@ -241,6 +214,7 @@ void refuseRepeatedNames(const Show& show) {
 
 void readLists(TomlReader& reader, Show& show) {
     for (TomlReader& input : reader.tables("input")) show.inputs.push_back(readInput(input));
+    refuseContradictions(show.inputs, show.file);
     for (TomlReader& camera : reader.tables("camera")) show.cameras.push_back(readCamera(camera));
     for (TomlReader& fixture : reader.tables("fixture")) show.fixtures.push_back(readFixture(fixture));
     const std::filesystem::path folder = show.file.parent_path();

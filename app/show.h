@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/show_input.h"
 #include "protocol/dmx.h"
 #include "render/scene.h"
 
@@ -20,15 +21,6 @@ namespace hazer::app {
 class ShowError : public std::runtime_error {
  public:
     using std::runtime_error::runtime_error;
-};
-
-/// Where the show listens: a network, or, as Transport::kDmx, USB interfaces.
-struct ShowInput {
-    protocol::Transport transport = protocol::Transport::kArtNet;
-    std::string address = "0.0.0.0";  ///< Local IPv4 address to bind.
-    std::uint16_t port = 6454;        ///< UDP.
-    std::string usbSerial{};          ///< Of one USB interface; empty: all that no other input names.
-    std::optional<std::uint16_t> usbUniverse{};  ///< That interface's number, or the first of theirs.
 };
 
 struct ShowCamera {

@@ -8,20 +8,21 @@ namespace {
 struct Names {
     std::string_view protocol;
     std::string_view universe;
+    std::string_view label;
 };
 
 Names namesOf(protocol::Transport transport) {
     switch (transport) {
         case protocol::Transport::kArtNet:
-            return {"artnet", "Port-Address"};
+            return {"artnet", "Port-Address", "Art-Net"};
         case protocol::Transport::kSacn:
-            return {"sacn", "sACN universe"};
+            return {"sacn", "sACN universe", "sACN"};
         case protocol::Transport::kDmx:
-            return {"dmx", "DMX line"};
+            return {"dmx", "DMX line", "DMX"};
         case protocol::Transport::kAny:
             break;
     }
-    return {"any", "universe"};
+    return {"any", "universe", "any"};
 }
 
 }  // namespace
@@ -32,6 +33,14 @@ std::string_view protocolName(protocol::Transport transport) {
 
 std::string describeUniverse(protocol::UniverseId universe) {
     return fmt::format("{} {}", namesOf(universe.transport).universe, universe.number);
+}
+
+std::string universeLabel(protocol::UniverseId universe) {
+    const std::string label = fmt::format("{} {}", namesOf(universe.transport).label, universe.number);
+    if (universe.transport != protocol::Transport::kArtNet) return label;
+    // Desks show a Port-Address as Net, Sub-Net and Universe, or as one number.
+    return fmt::format("{} ({}:{}:{})", label, universe.number >> 8, (universe.number >> 4) & 0x0F,
+                       universe.number & 0x0F);
 }
 
 }  // namespace hazer::app

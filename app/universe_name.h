@@ -1,4 +1,4 @@
-// What universes are called in show files, JSON and sentences.
+// What universes are called in show files, JSON, tables and sentences.
 #pragma once
 
 #include <string>
@@ -13,5 +13,8 @@ std::string_view protocolName(protocol::Transport transport);
 
 /// "Port-Address 5", "sACN universe 5", "DMX line 5" or "universe 5".
 std::string describeUniverse(protocol::UniverseId universe);
+
+/// "Art-Net 291 (1:2:3)", "sACN 5", "DMX 5" or "any 5", for tables.
+std::string universeLabel(protocol::UniverseId universe);
 
 }  // namespace hazer::app

@@ -78,7 +78,6 @@ int runWindow(Window& window, Session& session, std::optional<int> frames) {
     for (int shown = 0; !window.shouldClose() && !interrupt.asked() && shown != frames;) {
         const double frameS = stopwatch.lapS();
         session.advance(frameS);
-        state.packetRates.update(session.universes(), protocol::Clock::now());
         if (window.framebufferSize().x == 0 || window.framebufferSize().y == 0) {
             constexpr double kIdleS = 0.1;
             window.waitForEvents(kIdleS);

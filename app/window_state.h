@@ -9,7 +9,6 @@
 #include "app/session.h"
 #include "app/window_frame_times.h"
 #include "app/window_held_faders.h"
-#include "app/window_packet_rates.h"
 #include "app/window_resolution.h"
 #include "app/window_stage.h"
 
@@ -26,7 +25,6 @@ struct WindowState {
     HeldFaders held;
     WindowResolution resolution;
     WindowFrameTimes frameTimes;
-    WindowPacketRates packetRates;
     Ball stage;
     SceneControls controlsOfShow;          ///< As the show file has them, to go back to.
     std::size_t selected = 0;              ///< Index of a fixture in the patch, if it has any.

@@ -224,7 +224,9 @@ bool ArtNetNode::owe(PendingReply reply) {
 }
 
 void ArtNetNode::advance(TimePoint now, UniverseMerger& merger) {
-    while (const auto address = peers_.takeSyncTimedOut(now)) merger.showHeld(syncGroupOf(*address), now);
+    while (const auto timeOut = peers_.takeSyncTimeOut(now)) {
+        merger.showHeld(syncGroupOf(timeOut->address), timeOut->time);
+    }
     if (now < nextChangeCheck_) return;
     nextChangeCheck_ = desks_.all(now).empty() ? TimePoint::max() : now + kChangeInterval;
     for (std::size_t i = 0; i < ports_.all().size(); ++i) {

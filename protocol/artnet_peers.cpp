@@ -49,16 +49,16 @@ bool ArtNetPeers::takeSync(Ipv4Address from, TimePoint now) {
     return true;
 }
 
-std::optional<Ipv4Address> ArtNetPeers::takeSyncTimedOut(TimePoint now) {
+std::optional<SyncTimeOut> ArtNetPeers::takeSyncTimeOut(TimePoint now) {
     if (now < nextSyncTimeOut_) return std::nullopt;
     nextSyncTimeOut_ = TimePoint::max();
-    std::optional<Ipv4Address> timedOut;
+    std::optional<SyncTimeOut> timedOut;
     for (auto& [address, peer] : peers_) {
         if (!peer.isSynchronous) continue;
         const TimePoint due = peer.lastSync + kSyncTimeOut;
         if (due <= now && !timedOut) {
             peer.isSynchronous = false;
-            timedOut = address;
+            timedOut = {address, due};
         } else {
             nextSyncTimeOut_ = std::min(nextSyncTimeOut_, due);
         }

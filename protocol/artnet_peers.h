@@ -1,4 +1,4 @@
-// Who sends us Art-Net: names, and who of them synchronizes.
+// Who else is on the network: names, and who of them synchronizes.
 #pragma once
 
 #include <cstddef>
@@ -22,10 +22,15 @@ struct ArtNetPeer {
     TimePoint lastSync{};
 };
 
+struct SyncTimeOut {
+    Ipv4Address address{};
+    TimePoint time{};
+};
+
 /// The levels that wait for an ArtSync from `address`.
 SyncGroup syncGroupOf(Ipv4Address address);
 
-/// Bounded: when it is full of senders of the last seconds, further ones have neither name nor
+/// Bounded: when it is full of those that sent levels in the last seconds, further ones have neither name nor
 /// synchronization. Not thread-safe.
 class ArtNetPeers {
  public:
@@ -46,8 +51,9 @@ class ArtNetPeers {
     /// When the next peer goes back to showing at once; TimePoint::max(): never.
     TimePoint nextSyncTimeOut() const { return nextSyncTimeOut_; }
 
-    /// A peer whose synchronization timed out by `now`, which shows at once from now on.
-    std::optional<Ipv4Address> takeSyncTimedOut(TimePoint now);
+    /// A peer whose synchronization timed out by `now`, which shows at once from then on; call until there is
+    /// none.
+    std::optional<SyncTimeOut> takeSyncTimeOut(TimePoint now);
 
  private:
     ArtNetPeer* place(Ipv4Address address, bool sendsLevels, TimePoint now);

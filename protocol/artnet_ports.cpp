@@ -15,7 +15,7 @@ int switched(std::uint8_t switchByte, int now, int patched, int mask) {
 
 ArtNetPorts::ArtNetPorts(std::vector<std::uint16_t> portAddresses) {
     std::ranges::sort(portAddresses);
-    portAddresses.erase(std::ranges::unique(portAddresses).begin(), portAddresses.end());
+    portAddresses.erase(std::unique(portAddresses.begin(), portAddresses.end()), portAddresses.end());
     for (const std::uint16_t portAddress : portAddresses) {
         ArtNetPort& port = ports_.emplace_back();
         port.patched = port.onWire = portAddress;

@@ -6,34 +6,48 @@
 namespace hazer::protocol {
 namespace {
 
-// The loops below have no branch for the compiler to stumble over: it does 16 slots or more at a time.
+// The loops below have no branch, so that the compiler does 16 slots or more at a time.
+
+// All bits where the condition holds, else none.
+std::uint8_t maskOf(bool condition) {
+    return static_cast<std::uint8_t>(-static_cast<int>(condition));
+}
+
+struct Slot {
+    std::uint8_t level;
+    std::uint8_t priority;
+};
 
 template <bool kByLatest>
-std::uint8_t winnerOfEquals(std::uint8_t standing, std::uint8_t coming) {
-    return kByLatest ? coming : std::max(standing, coming);
+std::uint8_t winner(Slot standing, Slot coming) {
+    const std::uint8_t ofEquals = kByLatest ? coming.level : std::max(standing.level, coming.level);
+    const std::uint8_t isHigher = maskOf(coming.priority > standing.priority);
+    const std::uint8_t isEqual = maskOf(coming.priority == standing.priority);
+    const std::uint8_t isLower = maskOf(coming.priority < standing.priority);
+    return static_cast<std::uint8_t>((coming.level & isHigher) | (ofEquals & isEqual) |
+                                     (standing.level & isLower));
 }
 
 template <bool kByLatest>
 void addWithOnePriority(const Contribution& contribution, Slots& out, Slots& priorities) {
     const std::uint8_t priority = contribution.priority;
-    for (std::size_t i = 0; i < contribution.levels.size(); ++i) {
-        const std::uint8_t level = contribution.levels[i];
-        const std::uint8_t standing = priorities[i];
-        const std::uint8_t equal = winnerOfEquals<kByLatest>(out[i], level);
-        out[i] = priority > standing ? level : priority == standing ? equal : out[i];
-        priorities[i] = std::max(standing, priority);
+    const std::uint8_t* const levels = contribution.levels.data();
+    const std::size_t count = contribution.levels.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = winner<kByLatest>({out[i], priorities[i]}, {levels[i], priority});
+        priorities[i] = std::max(priorities[i], priority);
     }
 }
 
 template <bool kByLatest>
 void addWithSlotPriorities(const Contribution& contribution, Slots& out, Slots& priorities) {
-    const Slots& own = *contribution.slotPriorities;
-    for (std::size_t i = 0; i < contribution.levels.size(); ++i) {
-        const std::uint8_t level = own[i] == 0 ? std::uint8_t{0} : contribution.levels[i];
-        const std::uint8_t standing = priorities[i];
-        const std::uint8_t equal = winnerOfEquals<kByLatest>(out[i], level);
-        out[i] = own[i] > standing ? level : own[i] == standing ? equal : out[i];
-        priorities[i] = std::max(standing, own[i]);
+    const std::uint8_t* const own = contribution.slotPriorities->data();
+    const std::uint8_t* const levels = contribution.levels.data();
+    const std::size_t count = contribution.levels.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto level = static_cast<std::uint8_t>(levels[i] & maskOf(own[i] != 0));
+        out[i] = winner<kByLatest>({out[i], priorities[i]}, {level, own[i]});
+        priorities[i] = std::max(priorities[i], own[i]);
     }
 }
 

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "app/monitor.h"
+#include "app/universe_name.h"
+
 namespace hazer::app {
 namespace {
 
@@ -26,34 +29,62 @@ void drawCounters(const protocol::ReceiverCounters& counters) {
     drawCounter("late", counters.late, "ArtDmx that came after a newer one");
     drawCounter("refused", counters.refused,
                 "ArtDmx of a third source of a universe, or of too many universes");
+    drawCounter("syncs", counters.syncs, "ArtSync that was obeyed");
+    drawCounter("lost here", counters.droppedBySystem, "Came faster than this machine took them");
     drawCounter("polls", counters.polls, "ArtPoll that was answered");
     drawCounter("ignored", counters.ignored, "Art-Net that asks nothing of a visualizer");
     drawCounter("malformed", counters.malformed, "Not Art-Net, or broken");
     ImGui::EndTable();
 }
 
-const char* transportName(protocol::Transport transport) {
-    switch (transport) {
-        case protocol::Transport::kArtNet:
-            return "Art-Net";
-        case protocol::Transport::kSacn:
-            return "sACN";
-        case protocol::Transport::kDmx:
-            return "DMX";
-        case protocol::Transport::kAny:
-            return "any";
-    }
-    return "";
+std::string describe(const protocol::UniverseStatus& status) {
+    const std::string name = universeLabel(status.universe);
+    double packetsPerS = 0.0;
+    for (const protocol::SourceStatus& source : status.sources) packetsPerS += source.packetsPerS;
+    const char* const state = status.isLost            ? "lost, held"
+                              : status.isMerging       ? "merging"
+                              : status.sources.empty() ? "waiting"
+                                                       : "live";
+    return fmt::format("{}   {}   {:.0f}/s   {} slots###{}", name, state, packetsPerS, status.look.slotCount,
+                       name);
 }
 
-std::string describe(protocol::UniverseId id, const protocol::Universe& universe,
-                     const WindowPacketRates& rates) {
-    constexpr double kSilentS = 2.0;
-    const double ageS = std::chrono::duration<double>(protocol::Clock::now() - universe.lastReceived).count();
-    const std::string now = ageS > kSilentS ? fmt::format("silent for {:.0f} s", ageS)
-                                            : fmt::format("{:.0f}/s", rates.packetsPerS(id));
-    return fmt::format("{} {}   {}   {} slots###{} {}", transportName(id.transport), id.number, now,
-                       universe.slotCount, transportName(id.transport), id.number);
+void drawSource(const protocol::SourceStatus& source) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(source.name.empty() ? "(no name)" : source.name.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(source.address.c_str());
+    ImGui::TableNextColumn();
+    ImGui::Text("%d%s", int{source.priority}, source.hasSlotPriorities ? "+" : "");
+    if (source.hasSlotPriorities && ImGui::IsItemHovered())
+        ImGui::SetTooltip("slots have priorities of their own");
+    ImGui::TableNextColumn();
+    ImGui::Text("%.0f/s", source.packetsPerS);
+    ImGui::TableNextColumn();
+    ImGui::Text("%llu", static_cast<unsigned long long>(source.lossCount));
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(!source.isAlive ? "gone" : source.isWinning ? "wins" : "");
+}
+
+void drawSources(const protocol::UniverseStatus& status) {
+    if (status.sources.empty()) return;
+    if (!ImGui::BeginTable("sources", 6, ImGuiTableFlags_SizingFixedFit)) return;
+    for (const char* const column : {"source", "address", "priority", "rate", "losses", ""}) {
+        ImGui::TableSetupColumn(column);
+    }
+    ImGui::TableHeadersRow();
+    for (const protocol::SourceStatus& source : status.sources) drawSource(source);
+    ImGui::EndTable();
+    if (status.refusedSources > 0) {
+        ImGui::TextDisabled("%llu packets of further sources refused",
+                            static_cast<unsigned long long>(status.refusedSources));
+    }
+}
+
+void drawShowControl(const protocol::ArtNetStatus& artNet) {
+    if (artNet.timeCode) ImGui::TextDisabled("time code %s", timeCodeText(artNet.timeCode->code).c_str());
+    if (artNet.trigger) ImGui::TextDisabled("trigger %s", triggerText(*artNet.trigger).c_str());
 }
 
 /// Tells the slot under the mouse.
@@ -88,19 +119,21 @@ void drawSlots(const protocol::Slots& slots) {
 
 }  // namespace
 
-void drawNetwork(const Session& session, const WindowPacketRates& rates) {
+void drawNetwork(Session& session) {
     if (session.port() == 0) {
-        ImGui::TextDisabled("nothing listens");
-        return;
+        ImGui::TextDisabled("nothing listens to Art-Net");
+    } else {
+        ImGui::TextDisabled("listening on UDP port %d", static_cast<int>(session.port()));
+        const protocol::ArtNetStatus artNet = session.inputs().artNet();
+        drawShowControl(artNet);
+        drawCounters(artNet.counters);
     }
-    ImGui::TextDisabled("listening on UDP port %d", static_cast<int>(session.port()));
-    drawCounters(session.counters());
-    for (const auto& [id, universe] : session.universes()) {
-        if (!ImGui::TreeNodeEx(describe(id, universe, rates).c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen))
-            continue;
-        ImGui::PushID(static_cast<int>(id.transport));
-        ImGui::PushID(id.number);
-        drawSlots(universe.slots);
+    for (const protocol::UniverseStatus& status : session.inputs().status(protocol::Clock::now())) {
+        if (!ImGui::TreeNodeEx(describe(status).c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen)) continue;
+        ImGui::PushID(static_cast<int>(status.universe.transport));
+        ImGui::PushID(status.universe.number);
+        drawSources(status);
+        drawSlots(status.look.slots);
         ImGui::PopID();
         ImGui::PopID();
     }

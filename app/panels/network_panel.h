@@ -1,11 +1,10 @@
-// What arrives on the network: datagrams counted, universes slot by slot.
+// What arrives on the network: who sends each universe, its slots, time code and triggers, datagrams counted.
 #pragma once
 
 #include "app/session.h"
-#include "app/window_packet_rates.h"
 
 namespace hazer::app {
 
-void drawNetwork(const Session& session, const WindowPacketRates& rates);
+void drawNetwork(Session& session);
 
 }  // namespace hazer::app

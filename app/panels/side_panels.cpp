@@ -50,8 +50,8 @@ void drawSceneColumn(Session& session, WindowState& state) {
     if (beginSection("Picture")) drawPictureControls(session.settings(), state.resolution);
     if (beginSection("Camera")) drawCameraControls(session.show(), state);
     if (beginSection("Times")) drawTimings(session, state.frameTimes);
-    if (beginSection("Network")) drawNetwork(session, state.packetRates);
-    if (!session.usbDevices().empty() && beginSection("USB")) drawUsb(session);
+    if (beginSection("Network")) drawNetwork(session);
+    if (!session.inputs().usbDevices().empty() && beginSection("USB")) drawUsb(session);
     ImGui::PopItemWidth();
 }
 

@@ -42,7 +42,7 @@ void drawCounts(const protocol::UsbWidgetFacts& facts) {
 }  // namespace
 
 void drawUsb(const Session& session) {
-    for (const UsbLineStatus& line : session.usbDevices()) {
+    for (const UsbLineStatus& line : session.inputs().usbDevices()) {
         ImGui::TextWrapped(
             "%s",
             fmt::format("DMX {}: {}, {}", line.universe.number, line.name, stateName(line.state)).c_str());

@@ -89,11 +89,13 @@ void ReplayState::playFrame(const RecordedFrame& frame, TimePoint now) {
 }
 
 void ReplayState::latch(UniverseSet& out, RecordingTime now) {
+    artNet_.advance(timePointOf(now), merger_);
     merger_.expire(timePointOf(now));
     merger_.latch(out, timePointOf(now));
 }
 
 std::vector<UniverseStatus> ReplayState::status(RecordingTime now) {
+    artNet_.advance(timePointOf(now), merger_);
     merger_.expire(timePointOf(now));
     return merger_.status(timePointOf(now));
 }

@@ -90,6 +90,13 @@ TEST_F(NodeControlTest, TheTimeOutCountsEvenIfNobodyAdvancesTheNode) {
     EXPECT_EQ((set[{Transport::kArtNet, 0}].slots[0]), 20);
 }
 
+TEST_F(NodeControlTest, WhatWaitedIsShownAtTheTimeOutHoweverLateOneAsks) {
+    levels(10, kDesk, kStart);
+    receive(packArtSync(), kDesk, kStart);
+    levels(20, kDesk, kStart + seconds(3));
+    EXPECT_EQ(slot(kStart + seconds(60)), 20) << "the desk was lost only later";
+}
+
 TEST_F(NodeControlTest, ASyncOfAStrangerIsIgnored) {
     levels(10, kDesk, kStart);
     receive(packArtSync(), kOtherDesk, kStart);

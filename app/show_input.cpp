@@ -1,0 +1,73 @@
+#include "app/show_input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/toml_reader.h"
+
+namespace hazer::app {
+namespace {
+
+const std::vector<std::string> kInputProtocols{"artnet", "usb"};
+const std::vector<std::string> kMergeModes{"htp", "ltp"};  // in the order of protocol::MergeMode
+const std::vector<std::string> kLossRules{"hold", "fade"};
+
+constexpr Limits kFadeS{0.0, 3600.0};
+
+protocol::LossRule readLoss(TomlReader& reader) {
+    protocol::LossRule loss;
+    loss.fadesOut = reader.choice("on_loss", kLossRules, 0) == 1;
+    const double otherwiseS = std::chrono::duration<double>(loss.fadeTime).count();
+    if (!loss.fadesOut && reader.has("fade_s")) {
+        reader.fail("fade_s does nothing unless on_loss is \"fade\"; set that or take fade_s out");
+    }
+    loss.fadeTime =
+        std::chrono::milliseconds(std::lround(1000.0 * reader.number("fade_s", otherwiseS, kFadeS)));
+    return loss;
+}
+
+void readArtNet(TomlReader& reader, ShowInput& input) {
+    input.address = reader.text("address", input.address);
+    input.port = static_cast<std::uint16_t>(reader.integer("port", input.port, {0, 65535}));
+    input.isProgrammable = reader.flag("programmable", false);
+}
+
+void readUsb(TomlReader& reader, ShowInput& input) {
+    input.transport = protocol::Transport::kDmx;
+    input.usbSerial = reader.text("serial", "");
+    if (reader.has("universe"))
+        input.usbUniverse = static_cast<std::uint16_t>(reader.requiredInteger("universe", {1, 65535}));
+}
+
+bool mergesAlike(const ShowInput& a, const ShowInput& b) {
+    return a.merge == b.merge && a.loss.fadesOut == b.loss.fadesOut && a.loss.fadeTime == b.loss.fadeTime;
+}
+
+}  // namespace
+
+ShowInput readInput(TomlReader& reader) {
+    ShowInput input;
+    input.line = reader.line();
+    const std::string& protocol = kInputProtocols[reader.choice("protocol", kInputProtocols, 0)];
+    protocol == "usb" ? readUsb(reader, input) : readArtNet(reader, input);
+    input.merge = static_cast<protocol::MergeMode>(reader.choice("merge", kMergeModes, 0));
+    input.loss = readLoss(reader);
+    reader.refuseUnknownKeys();
+    return input;
+}
+
+void refuseContradictions(const std::vector<ShowInput>& inputs, const std::filesystem::path& file) {
+    for (const ShowInput& input : inputs) {
+        const auto first = std::ranges::find(inputs, input.transport, &ShowInput::transport);
+        if (mergesAlike(*first, input)) continue;
+        failInShow(file, input.line,
+                   fmt::format(
+                       "an input of the same protocol in line {} has another merge, on_loss or fade_s; their "
+                       "universes are the same, so give both the same",
+                       first->line));
+    }
+}
+
+}  // namespace hazer::app

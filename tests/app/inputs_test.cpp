@@ -1,0 +1,62 @@
+// What a show says about its inputs reaches its universes: over loopback.
+#include "app/inputs.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "protocol/sender.h"
+
+namespace hazer::app {
+namespace {
+
+Show showWith(const std::string& input) {
+    return parseShow(
+        "[[input]]\naddress='127.0.0.1'\n" + input +
+            "\n[[fixture]]\nname='a'\ngdtf='par-rgbw'\nmode='Standard'\nuniverse=3\nslot=1\n"
+            "[[fixture]]\nname='b'\ngdtf='par-rgbw'\nmode='Standard'\nprotocol='any'\nuniverse=4\nslot=1\n",
+        "a.toml");
+}
+
+TEST(Inputs, AsksForTheUniversesOfTheFixtures) {
+    Inputs inputs(showWith(""));
+    const auto status = inputs.status(protocol::Clock::now());
+    ASSERT_EQ(status.size(), 2U);
+    EXPECT_EQ(status[0].universe, (protocol::UniverseId{protocol::Transport::kArtNet, 3}));
+    EXPECT_EQ(status[1].universe, (protocol::UniverseId{protocol::Transport::kAny, 4}));
+    EXPECT_TRUE(status[0].isAskedFor);
+    EXPECT_EQ(inputs.port(), 0);
+}
+
+TEST(Inputs, TakesLevelsForAnyTransport) {
+    Inputs inputs(showWith(""));
+    inputs.listen(std::uint16_t{0});
+    protocol::ArtNetSender desk("127.0.0.1", inputs.port());
+    desk.send(4, std::vector<std::uint8_t>{7, 8});
+    protocol::UniverseSet set;
+    for (int i = 0; i < 10000 && set.empty(); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        inputs.latch(set, protocol::Clock::now());
+    }
+    EXPECT_EQ((set[{protocol::Transport::kAny, 4}].slots[1]), 8);
+    EXPECT_EQ(inputs.artNet().counters.dmx, 1U);
+}
+
+TEST(Inputs, ALookFadesOutIfTheShowSaysSo) {
+    Inputs inputs(showWith("on_loss='fade'\nfade_s=0"));
+    inputs.listen(std::uint16_t{0});
+    protocol::ArtNetSender desk("127.0.0.1", inputs.port());
+    desk.send(3, std::vector<std::uint8_t>{7, 8});
+    protocol::UniverseSet set;
+    for (int i = 0; i < 10000 && set.empty(); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        inputs.latch(set, protocol::Clock::now());
+    }
+    const protocol::UniverseId universe{protocol::Transport::kArtNet, 3};
+    EXPECT_EQ(set[universe].slots[1], 8);
+    inputs.latch(set, protocol::Clock::now() + std::chrono::seconds(11));
+    EXPECT_EQ(set[universe].slots[1], 0);
+}
+
+}  // namespace
+}  // namespace hazer::app
