@@ -30,7 +30,7 @@ UsbControlRequest baudRate(std::uint16_t bcdDevice, std::uint16_t index) {
 }  // namespace
 
 std::vector<UsbControlRequest> ftdiSetup(std::uint16_t bcdDevice, int port) {
-    const auto index = static_cast<std::uint16_t>(port + 1);
+    const std::uint16_t index = ftdiIndex(port);
     constexpr std::uint16_t kFt2232c = 0x0500;
     const bool hasOnePort = bcdDevice < kFt2232c || bcdDevice == 0x0600 || bcdDevice > kFt232h;
     return {
@@ -42,6 +42,10 @@ std::vector<UsbControlRequest> ftdiSetup(std::uint16_t bcdDevice, int port) {
         {kLatencyTimer, kLatencyMs, index},
         {kReset, kDropReceived, index},
     };
+}
+
+std::uint16_t ftdiIndex(int port) {
+    return static_cast<std::uint16_t>(port + 1);
 }
 
 int ftdiPortCount(std::uint16_t productId) {

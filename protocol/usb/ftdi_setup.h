@@ -19,6 +19,9 @@ struct UsbControlRequest {
 /// The board's transmitter is switched off by RTS being low.
 std::vector<UsbControlRequest> ftdiSetup(std::uint16_t bcdDevice, int port);
 
+/// The index of requests to `port`.
+std::uint16_t ftdiIndex(int port);
+
 /// How many serial ports a chip of this product id has.
 int ftdiPortCount(std::uint16_t productId);
 

@@ -23,7 +23,7 @@ constexpr int kReads =
 constexpr int kReadSize = 512;
 constexpr int kNodleReportSize = 33;
 constexpr int kMostErrorsInARow = 10;
-// An FTDI chip reports its status every few milliseconds, whatever the line does.
+// An FTDI chip reports its status every few milliseconds, whatever the line does; most copies do.
 constexpr auto kFtdiSilence = 2s;
 
 int check(int result) {
@@ -101,17 +101,18 @@ struct UsbLine::Impl {
         bool isInFlight = false;
     };
 
-    Impl(libusb_context* usedContext, libusb_device* device, const UsbInterface& described, int port,
+    Impl(libusb_context* usedContext, libusb_device* device, const UsbInterface& described, int usedPort,
          ShowSlots shown)
         : context(usedContext),
           family(described.family),
+          port(usedPort),
           input(endpointOf(device, port, LIBUSB_ENDPOINT_IN)),
           output(endpointOf(device, port, LIBUSB_ENDPOINT_OUT)),
           show(std::move(shown)),
           handle(open(device)),
           claim(handle.get(), port),
           widget(widgetFor(family, input.packetSize)) {
-        if (family == UsbFamily::kFtdi) setUpFtdi(described.bcdDevice, port);
+        if (family == UsbFamily::kFtdi) setUpFtdi(described.bcdDevice);
         for (Transfer& read : reads) prepare(read, input, readSize(), 0);
         prepare(write, output, 0, kWriteTimeoutMs);
         lastHeard = Clock::now();
@@ -125,7 +126,7 @@ struct UsbLine::Impl {
 
     ~Impl() { cancelAll(); }
 
-    void setUpFtdi(std::uint16_t bcdDevice, int port) {
+    void setUpFtdi(std::uint16_t bcdDevice) {
         constexpr std::uint8_t kVendorRequest = 0x40;
         for (const UsbControlRequest& request : ftdiSetup(bcdDevice, port)) {
             check(libusb_control_transfer(handle.get(), kVendorRequest, request.request, request.value,
@@ -203,10 +204,18 @@ struct UsbLine::Impl {
 
     void advance(TimePoint now) {
         if (error != 0) throw UsbError(error);
-        if (family == UsbFamily::kFtdi && now - lastHeard > kFtdiSilence)
-            throw UsbError(LIBUSB_ERROR_TIMEOUT);
+        if (family == UsbFamily::kFtdi && now - lastHeard > kFtdiSilence) askForLife();
         if (isStalled) restart();
         if (!write.isInFlight) ask(now);
+    }
+
+    void askForLife() {
+        constexpr std::uint8_t kVendorAnswer = 0xC0;
+        constexpr std::uint8_t kModemStatus = 0x05;
+        std::array<std::uint8_t, 2> status{};
+        check(libusb_control_transfer(handle.get(), kVendorAnswer, kModemStatus, 0, ftdiIndex(port),
+                                      status.data(), status.size(), kControlTimeoutMs));
+        lastHeard = Clock::now();
     }
 
     // A stalled endpoint refuses everything until it is told to go on.
@@ -246,6 +255,7 @@ struct UsbLine::Impl {
 
     libusb_context* context;
     UsbFamily family;
+    int port;
     Endpoint input;
     Endpoint output;
     ShowSlots show;

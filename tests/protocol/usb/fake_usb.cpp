@@ -245,7 +245,7 @@ struct FakeUsbDevice::Impl {
 
     /// An FTDI chip that hears nothing says so every millisecond.
     bool doIdleRead(const Urb& urb) {
-        if (isHid || Clock::now() - lastIdle < kLatency) return false;
+        if (isHid || isQuiet || Clock::now() - lastIdle < kLatency) return false;
         lastIdle = Clock::now();
         urb.buffer->data[0] = 0x01;
         urb.buffer->data[1] = 0x60;
@@ -277,6 +277,7 @@ struct FakeUsbDevice::Impl {
     int clearedHalts = 0;
     bool isHalted = false;
     bool isMute = false;
+    bool isQuiet = false;
     bool isBusy = false;
     bool hasDriver = true;
     bool isClaimed = false;
@@ -384,6 +385,11 @@ void FakeUsbDevice::failReads(int count, int error) {
 void FakeUsbDevice::setMute(bool isMute) {
     const std::lock_guard lock(impl_->mutex);
     impl_->isMute = isMute;
+}
+
+void FakeUsbDevice::setQuiet(bool isQuiet) {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->isQuiet = isQuiet;
 }
 
 void FakeUsbDevice::setBusy(bool isBusy) {

@@ -50,8 +50,9 @@ class FakeUsbDevice {
     /// The next `count` reads end with -`error` (EPIPE: a stall, which lasts until it is cleared).
     void failReads(int count, int error);
 
-    void setMute(bool isMute);  ///< Neither control requests nor reads come to an end.
-    void setBusy(bool isBusy);  ///< Another program has claimed the interface.
+    void setMute(bool isMute);    ///< Neither control requests nor reads come to an end.
+    void setQuiet(bool isQuiet);  ///< No status packets while nothing is on the line, as with some copies.
+    void setBusy(bool isBusy);    ///< Another program has claimed the interface.
 
     std::vector<UsbControlRequest> controlRequests() const;
     std::vector<Bytes> written() const;

@@ -335,6 +335,21 @@ TEST_F(UsbInputTest, ADeviceThatFallsMuteIsReportedAndHeardAgain) {
     EXPECT_TRUE(shows(1, 5));
 }
 
+TEST_F(UsbInputTest, AChipThatReportsNothingInSilenceIsNotTakenForDead) {
+    FakeUsbDevice pro(*bus_, {});
+    start();
+    pro.sendSerial(proFrame({4}));
+    ASSERT_TRUE(shows(1, 4));
+    pro.setQuiet(true);
+    const UsbControlRequest modemStatus{5, 0, 1};
+    ASSERT_TRUE(comesTrue([&] { return pro.controlRequests().back() == modemStatus; }))
+        << "asked whether it lives";
+    pro.sendSerial(proFrame({5}));
+    EXPECT_TRUE(shows(1, 5));
+    EXPECT_EQ(devices().at(0).problem, "");
+    EXPECT_TRUE(comesTrue([&] { return devices().at(0).facts.frames == 2; })) << "it was opened anew";
+}
+
 TEST_F(UsbInputTest, AStallIsClearedAndCostsOnlyWhatWasBegun) {
     FakeUsbDevice pro(*bus_, {});
     start();
