@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/universe_name.h"
+#include "app/usb_text.h"
 
 namespace hazer::app {
 namespace {
@@ -135,6 +136,7 @@ std::string monitorTable(const MonitorView& view) {
     if (view.artNet.timeCode)
         table += fmt::format("time code {}\n", timeCodeText(view.artNet.timeCode->code));
     if (view.artNet.trigger) table += fmt::format("trigger {}\n", triggerText(*view.artNet.trigger));
+    for (const protocol::UsbLineStatus& line : view.usbDevices) table += usbLineText(line) + "\n";
     for (const UniverseStatus& universe : view.universes) {
         if (wantsSlots(view, universe.universe)) table += slotRows(universe);
     }
@@ -167,6 +169,8 @@ nlohmann::ordered_json monitorJson(const MonitorView& view) {
     for (const UniverseStatus& universe : view.universes) {
         json["universes"].push_back(universeJson(universe, wantsSlots(view, universe.universe)));
     }
+    json["usb"] = nlohmann::ordered_json::array();
+    for (const protocol::UsbLineStatus& line : view.usbDevices) json["usb"].push_back(usbLineJson(line));
     return json;
 }
 

@@ -7,6 +7,7 @@
 
 #include "protocol/artnet_node.h"
 #include "protocol/universe_status.h"
+#include "protocol/usb/usb_input.h"
 
 namespace hazer::app {
 
@@ -14,19 +15,20 @@ namespace hazer::app {
 struct MonitorView {
     std::vector<protocol::UniverseStatus> universes;
     protocol::ArtNetStatus artNet;
+    std::vector<protocol::UsbLineStatus> usbDevices;
     protocol::TimePoint now;
     double timeS = 0.0;                           ///< Since the monitor began.
     std::vector<protocol::UniverseId> showSlots;  ///< Those whose slots are wanted.
 };
 
 /// Lines of at most 100 columns, each with its end: universes with their sources, counters, time code,
-/// trigger, and the slots that are wanted.
+/// trigger, USB interfaces, and the slots that are wanted.
 std::string monitorTable(const MonitorView& view);
 
 /// {"time_s", "packets", "refused", "malformed", ..., "timecode", "trigger", "universes": [{"protocol",
 /// "universe", "asked", "lost", "merging", "packets", "refused_sources", "sources": [{"name", "address",
 /// "priority", "slot_priorities", "alive", "winning", "preview", "synchronized", "packets_per_s", "packets",
-/// "late", "losses"}], "slots": [of those that are wanted]}]}
+/// "late", "losses"}], "slots": [of those that are wanted]}], "usb": [as usbLineJson has it]}
 nlohmann::ordered_json monitorJson(const MonitorView& view);
 
 /// "01:02:03:04 at 25 fps".

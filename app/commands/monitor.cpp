@@ -95,6 +95,7 @@ class Monitor {
         view.now = protocol::Clock::now();
         view.universes = inputs_.status(view.now);
         view.artNet = inputs_.artNet();
+        view.usbDevices = inputs_.usbDevices();
         view.timeS = timeNowS();
         for (const protocol::UniverseStatus& universe : view.universes) {
             if (std::ranges::find(options_.slots, universe.universe.number) != options_.slots.end()) {

@@ -5,25 +5,12 @@
 
 #include <string>
 
+#include "app/usb_text.h"
+
 namespace hazer::app {
 namespace {
 
 using protocol::UsbLineStatus;
-using protocol::UsbState;
-
-const char* stateName(UsbState state) {
-    switch (state) {
-        case UsbState::kStarting:
-            return "starting";
-        case UsbState::kReceiving:
-            return "receiving";
-        case UsbState::kSilent:
-            return "no DMX";
-        case UsbState::kFailed:
-            return "cannot be used";
-    }
-    return "";
-}
 
 /// "DMX USB Pro 1.44, socket 1-1.2, serial EN123456".
 std::string detailsOf(const UsbLineStatus& line) {
@@ -43,15 +30,9 @@ void drawCounts(const protocol::UsbWidgetFacts& facts) {
 
 void drawUsb(const Session& session) {
     for (const UsbLineStatus& line : session.inputs().usbDevices()) {
-        ImGui::TextWrapped(
-            "%s",
-            fmt::format("DMX {}: {}, {}", line.universe.number, line.name, stateName(line.state)).c_str());
+        ImGui::TextWrapped("%s", usbLineText(line).c_str());
         ImGui::TextDisabled("%s", detailsOf(line).c_str());
-        if (line.problem.empty()) {
-            drawCounts(line.facts);
-        } else {
-            ImGui::TextWrapped("%s", line.problem.c_str());
-        }
+        if (line.problem.empty()) drawCounts(line.facts);
     }
 }
 

@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "app/universe_name.h"
+#include "app/usb_text.h"
 #include "protocol/network_error.h"
 
 namespace hazer::app {
@@ -89,6 +92,23 @@ TEST(UsbInputs, WithoutUsbAreRefusedInOneSentence) {
     } catch (const protocol::NetworkError& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("HAZER_USB=ON"));
     }
+}
+
+TEST(UsbText, IsTheLineOrWhatIsWrongWithIt) {
+    protocol::UsbLineStatus line;
+    line.key = "EN1";
+    line.name = "ENTTEC DMX USB PRO";
+    line.universe.number = 2;
+    line.state = protocol::UsbState::kReceiving;
+    line.facts.frames = 7;
+    EXPECT_EQ(usbLineText(line), "DMX line 2: ENTTEC DMX USB PRO, receiving");
+    EXPECT_EQ(usbLineJson(line)["serial"], "EN1");
+    EXPECT_EQ(usbLineJson(line)["state"], "receiving");
+    EXPECT_EQ(usbLineJson(line)["frames"], 7);
+    line.state = protocol::UsbState::kFailed;
+    line.problem = "USB interface X cannot be used: it was unplugged.";
+    EXPECT_EQ(usbLineText(line), line.problem);
+    EXPECT_EQ(usbLineJson(line)["problem"], line.problem);
 }
 
 TEST(UniverseNames, AreThoseOfTheirNetwork) {
