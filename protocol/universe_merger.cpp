@@ -40,6 +40,12 @@ struct UniverseMerger::Impl {
         return mergesTransports[id.number] ? UniverseId{Transport::kAny, id.number} : id;
     }
 
+    // Under which look the levels of a universe are seen: its own, unless it is only part of Transport::kAny.
+    UniverseId shownAs(UniverseId id) {
+        const MergedUniverse* const universe = find(id);
+        return universe && !universe->findLook(id) ? keyOf(id) : id;
+    }
+
     MergedUniverse* find(UniverseId id) {
         const auto found = universes.find(keyOf(id));
         return found == universes.end() ? nullptr : &found->second;
@@ -201,23 +207,25 @@ void UniverseMerger::countLate(UniverseId id, const SourceId& source) {
 }
 
 void UniverseMerger::setMode(UniverseId id, MergeMode mode) {
-    impl_->settings[id].mode = mode;
-    MergedUniverse* const universe = impl_->find(id);
-    Look* const look = universe ? universe->findLook(id) : nullptr;
+    const UniverseId shown = impl_->shownAs(id);
+    impl_->settings[shown].mode = mode;
+    MergedUniverse* const universe = impl_->find(shown);
+    Look* const look = universe ? universe->findLook(shown) : nullptr;
     if (!look) return;
     look->mode = mode;
     universe->mergeLooks(universe->lastHeard());
 }
 
 MergeMode UniverseMerger::mode(UniverseId id) const {
-    const auto own = impl_->settings.find(id);
+    const auto own = impl_->settings.find(impl_->shownAs(id));
     return own == impl_->settings.end() ? impl_->rules.mode : own->second.mode.value_or(impl_->rules.mode);
 }
 
 void UniverseMerger::setLoss(UniverseId id, LossRule loss) {
-    impl_->settings[id].loss = loss;
-    MergedUniverse* const universe = impl_->find(id);
-    if (Look* const look = universe ? universe->findLook(id) : nullptr) look->loss = loss;
+    const UniverseId shown = impl_->shownAs(id);
+    impl_->settings[shown].loss = loss;
+    MergedUniverse* const universe = impl_->find(shown);
+    if (Look* const look = universe ? universe->findLook(shown) : nullptr) look->loss = loss;
 }
 
 void UniverseMerger::cancelMerge(UniverseId id) {
@@ -230,13 +238,13 @@ void UniverseMerger::clear(UniverseId id, TimePoint now) {
 
 bool UniverseMerger::isLive(UniverseId id) const {
     const MergedUniverse* const universe = impl_->find(id);
-    const Look* const look = universe ? universe->findLook(id) : nullptr;
+    const Look* const look = universe ? universe->findLook(impl_->shownAs(id)) : nullptr;
     return look && universe->isLive(*look);
 }
 
 bool UniverseMerger::isMerging(UniverseId id) const {
     const MergedUniverse* const universe = impl_->find(id);
-    const Look* const look = universe ? universe->findLook(id) : nullptr;
+    const Look* const look = universe ? universe->findLook(impl_->shownAs(id)) : nullptr;
     return look && universe->isMerging(*look);
 }
 

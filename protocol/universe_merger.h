@@ -113,7 +113,7 @@ class UniverseMerger {
     /// Counts a packet that came out of order, for the status.
     void countLate(UniverseId universe, const SourceId& source);
 
-    /// Of one universe, known or not yet, in place of MergeRules.
+    /// Of one universe, known or not, in place of MergeRules; if only seen in Transport::kAny: of that whole.
     void setMode(UniverseId universe, MergeMode mode);
     MergeMode mode(UniverseId universe) const;
     void setLoss(UniverseId universe, LossRule loss);

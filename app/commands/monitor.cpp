@@ -42,12 +42,12 @@ class Monitor {
         : options_(options), inputs_(options.show.empty() ? Show{} : loadShow(options.show)) {
         inputs_.listen(options.port);
         fmt::print(stderr, "listening on UDP port {}{}\n", inputs_.port(),
-                   options.seconds ? "" : "; Ctrl-C ends it");
+                   repeats() && !options.seconds ? "; Ctrl-C ends it" : "");
     }
 
     int run() {
-        if (options_.json && options_.follow) return repeat(kJsonIntervalS, [&] { printJson(-1); });
-        if (!options_.json && isatty(STDOUT_FILENO)) {
+        if (options_.json && repeats()) return repeat(kJsonIntervalS, [&] { printJson(-1); });
+        if (repeats()) {
             fmt::print("{}", kClearScreen);
             return repeat(kTableIntervalS, [&] { redraw(); });
         }
@@ -57,6 +57,9 @@ class Monitor {
     }
 
  private:
+    // A table refreshes in place where somebody watches.
+    bool repeats() const { return options_.json ? options_.follow : isatty(STDOUT_FILENO) != 0; }
+
     template <class Show>
     int repeat(double intervalS, Show show) {
         for (int i = 1; !interrupt_.asked(); ++i) {

@@ -497,6 +497,17 @@ TEST_F(MergerTest, AnyTakesOverWhatHadArrivedBefore) {
     EXPECT_EQ(set.size(), 1U);
 }
 
+TEST_F(MergerTest, AUniverseThatIsOnlyPartOfAnyIsSpokenOfAsTheWhole) {
+    merger.ask(kAny);
+    show(0, kArtNet, 'A', {10});
+    show(0, kDmx, 'A', {0, 20});
+    EXPECT_TRUE(merger.isLive(kArtNet));
+    EXPECT_TRUE(merger.isMerging(kArtNet));
+    merger.setMode(kArtNet, MergeMode::kLatest);
+    EXPECT_EQ(merger.mode(kArtNet), MergeMode::kLatest);
+    EXPECT_THAT(look(0, kAny), ElementsAre(0, 20, 0, 0));
+}
+
 TEST_F(MergerTest, AUniverseThatIsAskedForBesidesAnyHasItsOwnLook) {
     merger.ask(kAny);
     merger.ask(kArtNet);
