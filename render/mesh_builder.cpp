@@ -11,10 +11,6 @@ namespace {
 /// shapes.
 constexpr float kSamePointM = 1e-6f;
 
-std::uint32_t vertexCount(const Mesh& mesh) {
-    return static_cast<std::uint32_t>(mesh.vertices.size());
-}
-
 /// Rotation that takes +Z to a unit direction.
 glm::mat3 rotationFromZ(glm::vec3 direction) {
     const glm::vec3 helper = std::abs(direction.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);

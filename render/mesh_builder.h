@@ -1,6 +1,7 @@
 // What the shapes that come with hazer are put together from.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
 
@@ -30,6 +31,11 @@ void appendBar(Mesh& mesh, glm::vec3 fromM, glm::vec3 toM, float radiusM, int se
 
 /// Appends `part`, moved by a transform that does not mirror.
 void appendTransformed(Mesh& mesh, const Mesh& part, const glm::mat4& meshFromPart);
+
+/// Vertices so far, as an index: that of the next one.
+inline std::uint32_t vertexCount(const Mesh& mesh) {
+    return static_cast<std::uint32_t>(mesh.vertices.size());
+}
 
 /// Adds a triangle unless two of its corners are in the same place.
 void appendTriangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c);

@@ -67,10 +67,6 @@ constexpr Ring kLeg[] = {
 constexpr std::uint32_t kTrunkSegments = 16;
 constexpr std::uint32_t kLimbSegments = 10;
 
-std::uint32_t vertexCount(const Mesh& mesh) {
-    return static_cast<std::uint32_t>(mesh.vertices.size());
-}
-
 /// A band of triangles between two rings of vertices, the lower one first.
 void appendBand(Mesh& mesh, std::uint32_t lower, std::uint32_t upper, std::uint32_t segments) {
     for (std::uint32_t i = 0; i < segments; ++i) {

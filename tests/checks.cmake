@@ -1,14 +1,6 @@
 # Checks of the sources and of what is built from them, as ctest tests. A check that says no when it should is tested, too.
 
-# Adds a test that runs a CMake script with the given -D settings.
-function(hazer_add_check name script)
-    list(TRANSFORM ARGN PREPEND "-D" OUTPUT_VARIABLE settings)
-    add_test(NAME "${name}"
-        COMMAND "${CMAKE_COMMAND}" ${settings} -P "${CMAKE_CURRENT_SOURCE_DIR}/${script}")
-    set_tests_properties("${name}" PROPERTIES LABELS unit TIMEOUT 120)
-endfunction()
-
-# The same, for a check that is given something wrong and must name it.
+# As hazer_add_check, for a check that is given something wrong and must name it.
 function(hazer_add_refusal name script expected)
     hazer_add_check(${name} ${script} ${ARGN})
     set_tests_properties("${name}" PROPERTIES PASS_REGULAR_EXPRESSION "${expected}")
@@ -59,6 +51,3 @@ if(HAZER_WINDOW)
     pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
     target_link_libraries(headers_alone PRIVATE PkgConfig::IMGUI)
 endif()
-
-hazer_add_check(package check_package.cmake "BUILD=${PROJECT_BINARY_DIR}" "WORK=${CMAKE_CURRENT_BINARY_DIR}/package"
-    "USB=${HAZER_USB}")
