@@ -1,5 +1,7 @@
 #include "app/inputs.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -9,16 +11,31 @@
 namespace hazer::app {
 namespace {
 
-std::vector<ShowInput> inputsOf(const Show& show) {
-    return show.inputs.empty() ? std::vector<ShowInput>(1) : show.inputs;
-}
-
 std::vector<protocol::UniverseId> universesOf(const Show& show) {
     std::vector<protocol::UniverseId> universes;
     for (const ShowFixture& fixture : show.fixtures) universes.push_back(fixture.universe);
     std::ranges::sort(universes);
     universes.erase(std::unique(universes.begin(), universes.end()), universes.end());
     return universes;
+}
+
+bool isPatchedTo(protocol::Transport transport, const Show& show) {
+    return std::ranges::any_of(show.fixtures, [&](const ShowFixture& fixture) {
+        return fixture.universe.transport == transport ||
+               fixture.universe.transport == protocol::Transport::kAny;
+    });
+}
+
+std::vector<ShowInput> inputsOf(const Show& show) {
+    if (!show.inputs.empty()) return show.inputs;
+    std::vector<ShowInput> inputs;
+    const bool hasSacn = isPatchedTo(protocol::Transport::kSacn, show);
+    if (!hasSacn || isPatchedTo(protocol::Transport::kArtNet, show)) inputs.emplace_back();
+    if (!hasSacn) return inputs;
+    ShowInput& sacn = inputs.emplace_back();
+    sacn.transport = protocol::Transport::kSacn;
+    sacn.port = protocol::kSacnPort;
+    return inputs;
 }
 
 // Those of a universe's own transport; where there are none, or where all transports merge, the first of all.
@@ -61,12 +78,17 @@ Inputs::Inputs(const Show& show)
     });
 }
 
-void Inputs::listen(const std::optional<std::uint16_t>& port) {
+void Inputs::listen(const InputPorts& ports) {
     for (const ShowInput& input : inputs_) {
-        if (input.transport != protocol::Transport::kArtNet) continue;
-        protocol::ReceiverConfig config = artNetConfig(input);
-        config.port = port.value_or(input.port);
-        receivers_.push_back(std::make_unique<protocol::Receiver>(config, store_));
+        if (input.transport == protocol::Transport::kArtNet) {
+            protocol::ReceiverConfig config = artNetConfig(input);
+            config.port = ports.artNet.value_or(input.port);
+            receivers_.push_back(std::make_unique<protocol::Receiver>(config, store_));
+        } else if (input.transport == protocol::Transport::kSacn) {
+            protocol::SacnReceiverConfig config = sacnConfig(input);
+            config.port = ports.sacn.value_or(input.port);
+            sacnReceivers_.push_back(std::make_unique<protocol::SacnReceiver>(config, store_));
+        }
     }
     listenToUsb();
 }
@@ -87,14 +109,28 @@ protocol::ReceiverConfig Inputs::artNetConfig(const ShowInput& input) const {
     protocol::ReceiverConfig config;
     config.address = input.address;
     config.isProgrammable = input.isProgrammable;
-    for (const protocol::UniverseId universe : universes_) {
-        const bool isOurs = universe.transport == protocol::Transport::kArtNet ||
-                            universe.transport == protocol::Transport::kAny;
-        if (isOurs && universe.number <= protocol::kMaxPortAddress) {
-            config.portAddresses.push_back(universe.number);
-        }
-    }
+    config.portAddresses = numbersOf(protocol::Transport::kArtNet, 0, protocol::kMaxPortAddress);
     return config;
+}
+
+protocol::SacnReceiverConfig Inputs::sacnConfig(const ShowInput& input) const {
+    protocol::SacnReceiverConfig config;
+    config.universes = numbersOf(protocol::Transport::kSacn, 1, protocol::kMaxSacnUniverse);
+    config.interface = input.interface;
+    config.preview = input.preview;
+    config.notice = [](const std::string& sentence) { spdlog::warn("{}", sentence); };
+    return config;
+}
+
+std::vector<std::uint16_t> Inputs::numbersOf(protocol::Transport transport, std::uint16_t first,
+                                             std::uint16_t last) const {
+    std::vector<std::uint16_t> numbers;
+    for (const protocol::UniverseId universe : universes_) {
+        const bool isOurs =
+            universe.transport == transport || universe.transport == protocol::Transport::kAny;
+        if (isOurs && universe.number >= first && universe.number <= last) numbers.push_back(universe.number);
+    }
+    return numbers;
 }
 
 protocol::ArtNetStatus Inputs::artNet() const {
@@ -108,12 +144,30 @@ protocol::ArtNetStatus Inputs::artNet() const {
     return all;
 }
 
+std::vector<protocol::SacnReport> Inputs::sacn() const {
+    std::vector<protocol::SacnReport> reports;
+    for (const auto& receiver : sacnReceivers_) reports.push_back(receiver->report());
+    return reports;
+}
+
 std::vector<protocol::UsbLineStatus> Inputs::usbDevices() const {
     return usb_ ? usb_->devices() : std::vector<protocol::UsbLineStatus>{};
 }
 
+std::string Inputs::description() const {
+    std::vector<std::string> parts;
+    for (const auto& one : receivers_) parts.push_back(fmt::format("Art-Net on UDP port {}", one->port()));
+    for (const auto& one : sacnReceivers_) parts.push_back(fmt::format("sACN on UDP port {}", one->port()));
+    if (usb_) parts.push_back("USB interfaces");
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 std::uint16_t Inputs::port() const {
     return receivers_.empty() ? std::uint16_t{0} : receivers_.front()->port();
+}
+
+std::uint16_t Inputs::sacnPort() const {
+    return sacnReceivers_.empty() ? std::uint16_t{0} : sacnReceivers_.front()->port();
 }
 
 }  // namespace hazer::app

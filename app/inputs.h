@@ -9,19 +9,26 @@
 
 #include "app/show.h"
 #include "protocol/receiver.h"
+#include "protocol/sacn_receiver.h"
 #include "protocol/universe_store.h"
 #include "protocol/usb/usb_input.h"
 
 namespace hazer::app {
+
+/// UDP ports that replace those of the show's inputs; 0 lets the system choose.
+struct InputPorts {
+    std::optional<std::uint16_t> artNet{};
+    std::optional<std::uint16_t> sacn{};
+};
 
 class Inputs {
  public:
     /// Rules and universes of the show; nothing listens yet.
     explicit Inputs(const Show& show);
 
-    /// Opens the inputs of the show. A show without any listens to Art-Net on every interface. `port` takes
-    /// the place of the port of each; 0 lets the system choose. Throws protocol::NetworkError.
-    void listen(const std::optional<std::uint16_t>& port);
+    /// Opens the inputs of the show. A show without any listens on every interface, to sACN if fixtures are
+    /// patched to it, and to Art-Net unless all are patched elsewhere. Throws protocol::NetworkError.
+    void listen(const InputPorts& ports);
 
     /// Copies what stands at `now` into `out`, as one consistent set.
     void latch(protocol::UniverseSet& out, protocol::TimePoint now) { store_.latch(out, now); }
@@ -31,23 +38,35 @@ class Inputs {
     /// What all receivers of Art-Net together have seen, and the latest time code and trigger of any.
     protocol::ArtNetStatus artNet() const;
 
+    /// What sACN tells besides its universes, receiver by receiver.
+    std::vector<protocol::SacnReport> sacn() const;
+
     /// Every USB interface that the show wants and that is plugged in.
     std::vector<protocol::UsbLineStatus> usbDevices() const;
 
-    /// The UDP port that the first receiver really bound; 0 if nothing listens.
+    /// "Art-Net on UDP port 6454, sACN on UDP port 5568"; empty if nothing listens.
+    std::string description() const;
+
+    /// The UDP port that the first receiver of Art-Net really bound; 0 if nothing listens.
     std::uint16_t port() const;
+
+    std::uint16_t sacnPort() const;  ///< The same of sACN.
 
  private:
     void listenToUsb();
     protocol::ReceiverConfig artNetConfig(const ShowInput& input) const;
+    protocol::SacnReceiverConfig sacnConfig(const ShowInput& input) const;
+    std::vector<std::uint16_t> numbersOf(protocol::Transport transport, std::uint16_t first,
+                                         std::uint16_t last) const;
 
     std::string file_;  ///< Of the show, for warnings.
     std::vector<ShowInput> inputs_;
     std::vector<protocol::UniverseId> universes_;  ///< Of the show's fixtures, each once.
     protocol::UniverseStore store_;
     std::vector<std::unique_ptr<protocol::Receiver>>
-        receivers_;                            ///< After store_: their threads write into it.
-    std::unique_ptr<protocol::UsbInput> usb_;  ///< The same.
+        receivers_;  ///< After store_: their threads write into it.
+    std::vector<std::unique_ptr<protocol::SacnReceiver>> sacnReceivers_;  ///< The same.
+    std::unique_ptr<protocol::UsbInput> usb_;                             ///< The same.
 };
 
 }  // namespace hazer::app

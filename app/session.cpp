@@ -35,7 +35,7 @@ Session::Session(Show show, const SessionOptions& options)
         spdlog::warn("{}: {}", show_.file.string(), warning);
     for (const std::string& overlap : patch_.overlaps()) spdlog::warn("{}: {}", show_.file.string(), overlap);
     patch_.settle();
-    if (options.listen) inputs_.listen(options.port);
+    if (options.listen) inputs_.listen(options.ports);
 }
 
 void Session::advance(double dtS) {

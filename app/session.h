@@ -16,9 +16,8 @@
 namespace hazer::app {
 
 struct SessionOptions {
-    bool listen =
-        false;  ///< Bind the show's inputs. A show without any listens to Art-Net on every interface.
-    std::optional<std::uint16_t> port;  ///< Replaces the port of every input; 0 lets the system choose.
+    bool listen = false;  ///< Open the show's inputs (see Inputs::listen for a show without any).
+    InputPorts ports{};   ///< Replace those of the show's inputs.
 };
 
 /// How long the parts of the last frame took on the CPU.
@@ -69,7 +68,7 @@ class Session {
     Inputs& inputs() { return inputs_; }
     const Inputs& inputs() const { return inputs_; }
 
-    /// The UDP port that the first receiver really bound; 0 if nothing listens.
+    /// The UDP port really bound for Art-Net; 0 if nothing listens to it.
     std::uint16_t port() const { return inputs_.port(); }
 
  private:

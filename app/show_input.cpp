@@ -10,8 +10,9 @@
 namespace hazer::app {
 namespace {
 
-const std::vector<std::string> kInputProtocols{"artnet", "usb"};
+const std::vector<std::string> kInputProtocols{"artnet", "sacn", "usb"};
 const std::vector<std::string> kMergeModes{"htp", "ltp"};  // in the order of protocol::MergeMode
+const std::vector<std::string> kPreviewRules{"both", "live", "preview"};  // of protocol::PreviewRule
 const std::vector<std::string> kLossRules{"hold", "fade"};
 
 constexpr Limits kFadeS{0.0, 3600.0};
@@ -34,6 +35,13 @@ void readArtNet(TomlReader& reader, ShowInput& input) {
     input.isProgrammable = reader.flag("programmable", false);
 }
 
+void readSacn(TomlReader& reader, ShowInput& input) {
+    input.transport = protocol::Transport::kSacn;
+    input.interface = reader.text("interface", "");
+    input.preview = static_cast<protocol::PreviewRule>(reader.choice("preview", kPreviewRules, 0));
+    input.port = static_cast<std::uint16_t>(reader.integer("port", protocol::kSacnPort, {0, 65535}));
+}
+
 void readUsb(TomlReader& reader, ShowInput& input) {
     input.transport = protocol::Transport::kDmx;
     input.usbSerial = reader.text("serial", "");
@@ -51,7 +59,13 @@ ShowInput readInput(TomlReader& reader) {
     ShowInput input;
     input.line = reader.line();
     const std::string& protocol = kInputProtocols[reader.choice("protocol", kInputProtocols, 0)];
-    protocol == "usb" ? readUsb(reader, input) : readArtNet(reader, input);
+    if (protocol == "usb") {
+        readUsb(reader, input);
+    } else if (protocol == "sacn") {
+        readSacn(reader, input);
+    } else {
+        readArtNet(reader, input);
+    }
     input.merge = static_cast<protocol::MergeMode>(reader.choice("merge", kMergeModes, 0));
     input.loss = readLoss(reader);
     reader.refuseUnknownKeys();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "protocol/sacn_listener.h"
 #include "protocol/universe_merger.h"
 
 namespace hazer::app {
@@ -18,8 +19,10 @@ struct ShowInput {
     protocol::Transport transport = protocol::Transport::kArtNet;
     std::string address = "0.0.0.0";  ///< Art-Net: local IPv4 address to bind.
     std::uint16_t port = 6454;        ///< UDP.
-    bool isProgrammable = false;      ///< Art-Net: ArtAddress may change names, addresses and merging.
-    std::string usbSerial{};          ///< Of one USB interface; empty: all that no other input names.
+    std::string interface {};         ///< sACN: name or address of the only interface; empty: all.
+    protocol::PreviewRule preview = protocol::PreviewRule::kBoth;  ///< sACN.
+    bool isProgrammable = false;  ///< Art-Net: ArtAddress may change names, addresses and merging.
+    std::string usbSerial{};      ///< Of one USB interface; empty: all that no other input names.
     std::optional<std::uint16_t> usbUniverse{};  ///< That interface's number, or the first of theirs.
     /// How the universes of this transport merge. All inputs of one transport agree.
     protocol::MergeMode merge = protocol::MergeMode::kHighest;

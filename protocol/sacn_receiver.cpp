@@ -2,6 +2,7 @@
 
 #include <asio/io_context.hpp>
 #include <asio/steady_timer.hpp>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -104,19 +105,22 @@ struct SacnReceiver::Impl {
     void read(udp::socket& socket) {
         for (int i = 0; i < kBatchesInARow; ++i) {
             const auto arrived = batch.receive(socket.native_handle(), port);
-            take(arrived);
+            take(arrived, lostBySocket[socket.native_handle()]);
             if (arrived.size() < DatagramBatch::kCapacity) break;
         }
         if (hasNewSyncAddresses()) updateMemberships();
     }
 
-    void take(std::span<const ArrivedDatagram> arrived) {
+    void take(std::span<const ArrivedDatagram> arrived, std::uint32_t& lostBefore) {
+        if (arrived.empty()) return;
         if (config.tap) {
             for (const ArrivedDatagram& one : arrived) {
                 if (isFromChosen(one)) config.tap(one.datagram);
             }
         }
         const std::lock_guard lock(mutex);
+        droppedBySystem += static_cast<std::uint32_t>(arrived.back().lostBefore - lostBefore);
+        lostBefore = arrived.back().lostBefore;
         store.change([&](UniverseMerger& merger) {
             const TimePoint now = Clock::now();
             for (const ArrivedDatagram& one : arrived) takeOne(one, now, merger);
@@ -150,9 +154,11 @@ struct SacnReceiver::Impl {
     UniverseStore& store;
     asio::io_context context{1};
     DatagramBatch batch;
-    mutable std::mutex mutex;  // of the listener and the counts; taken before the store's
+    std::map<int, std::uint32_t> lostBySocket;  // as ArrivedDatagram counts it
+    mutable std::mutex mutex;                   // of the listener and the counts; taken before the store's
     SacnListener listener;
     std::uint64_t otherInterface = 0;
+    std::uint64_t droppedBySystem = 0;
     std::size_t membershipCount = 0;
     std::size_t socketCount = 0;
     std::uint64_t joinedSyncRevision = 0;
@@ -176,6 +182,11 @@ std::uint16_t SacnReceiver::port() const {
 SacnCounters SacnReceiver::counters() const {
     const std::lock_guard lock(impl_->mutex);
     return impl_->listener.counters();
+}
+
+std::uint64_t SacnReceiver::droppedBySystem() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->droppedBySystem;
 }
 
 SacnReport SacnReceiver::report() const {

@@ -54,6 +54,9 @@ class SacnReceiver {
     SacnCounters counters() const;  ///< Thread-safe.
     SacnReport report() const;      ///< Thread-safe.
 
+    /// Datagrams that arrived faster than they were read, and were lost. Thread-safe; counted by Linux alone.
+    std::uint64_t droppedBySystem() const;
+
  private:
     struct Impl;
     std::unique_ptr<Impl> impl_;

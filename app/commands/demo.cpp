@@ -74,7 +74,7 @@ class BackgroundPlayer {
 
 int runInWindow() {
     std::optional<BackgroundPlayer> player;
-    return showInWindow(demoShow(), {.listen = true, .port = std::uint16_t{0}},
+    return showInWindow(demoShow(), {.listen = true, .ports = {.artNet = 0}},
                         [&](Session& session) { player.emplace(session.show(), session.port()); });
 }
 
@@ -136,7 +136,7 @@ int runHeadless(const DemoOptions& options) {
     makeFolder(folder);
     Show show = demoShow();
     const render::gl::HeadlessContext context;
-    Session session(std::move(show), {.listen = true, .port = std::uint16_t{0}});
+    Session session(std::move(show), {.listen = true, .ports = {.artNet = 0}});
     std::optional<Film> film;
     if (canMakeFilms()) {
         film.emplace(filmFile, kFilmFormat);

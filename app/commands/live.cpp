@@ -6,6 +6,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/max_error_option.h"
+#include "app/commands/port_options.h"
 #include "app/display.h"
 #include "app/paths.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 struct LiveOptions {
     std::string show;
-    std::optional<std::uint16_t> port;
+    InputPorts ports;
     std::optional<int> frames;
     double maxError = 0.01;
 };
@@ -23,7 +24,7 @@ int runLive(const LiveOptions& options) {
     const std::filesystem::path file =
         options.show.empty() ? showFolder() / "one-spot.toml" : std::filesystem::path(options.show);
     const auto setQuality = [&](Session& session) { session.settings().maxError = options.maxError; };
-    return showInWindow(loadShow(file), {.listen = true, .port = options.port}, setQuality, options.frames);
+    return showInWindow(loadShow(file), {.listen = true, .ports = options.ports}, setQuality, options.frames);
 }
 
 }  // namespace
@@ -31,14 +32,13 @@ int runLive(const LiveOptions& options) {
 void addLiveCommand(CLI::App& program, Command& chosen) {
     auto options = std::make_shared<LiveOptions>();
     CLI::App* command =
-        program.add_subcommand("live", "Watch a show in a window, driven by a desk over Art-Net.");
+        program.add_subcommand("live", "Watch a show in a window, driven by a desk over Art-Net or sACN.");
     beginHelpWith(*command,
                   "  hazer live                       one moving spot, on Port-Address 0 from slot 1\n"
                   "  hazer live myshow.toml           your own rig\n"
                   "  hazer live myshow.toml --port 6455\n");
     command->add_option("SHOW", options->show, "The show file (.toml); a single moving spot unless given");
-    command->add_option("--port", options->port, "UDP port instead of those of the show's inputs")
-        ->check(CLI::Range(1, 65535));
+    addPortOptions(*command, options->ports);
     addMaxErrorOption(*command, options->maxError);
     command->add_option("--frames", options->frames, "Close after this many pictures, for tests")
         ->check(CLI::PositiveNumber)

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/commands/command.h"
+#include "app/commands/port_options.h"
 #include "app/inputs.h"
 #include "app/interrupt.h"
 #include "app/monitor.h"
@@ -29,7 +30,7 @@ constexpr const char* kClearScreen = "\x1b[2J";
 
 struct MonitorOptions {
     std::string show;
-    std::optional<std::uint16_t> port;
+    InputPorts ports;
     std::optional<double> seconds;
     bool json = false;
     bool follow = false;
@@ -40,8 +41,8 @@ class Monitor {
  public:
     explicit Monitor(const MonitorOptions& options)
         : options_(options), inputs_(options.show.empty() ? Show{} : loadShow(options.show)) {
-        inputs_.listen(options.port);
-        fmt::print(stderr, "listening on UDP port {}{}\n", inputs_.port(),
+        inputs_.listen(options.ports);
+        fmt::print(stderr, "listening to {}{}\n", inputs_.description(),
                    repeats() && !options.seconds ? "; Ctrl-C ends it" : "");
     }
 
@@ -136,8 +137,7 @@ void addMonitorCommand(CLI::App& program, Command& chosen) {
         ->check(CLI::Range(0, 65535));
     command->add_option("--for", options->seconds, "Seconds; 3 unless given, in a terminal until Ctrl-C")
         ->check(numberFrom(0.1, 1e6));
-    command->add_option("--port", options->port, "UDP port instead of those of the show's inputs")
-        ->check(CLI::Range(0, 65535));
+    addPortOptions(*command, options->ports);
     command->callback([options, &chosen] { chosen = [options] { return Monitor(*options).run(); }; });
 }
 

@@ -14,6 +14,7 @@
 #include "app/commands/command.h"
 #include "app/commands/integrator_option.h"
 #include "app/commands/max_error_option.h"
+#include "app/commands/port_options.h"
 #include "app/commands/size_option.h"
 #include "app/film.h"
 #include "app/interrupt.h"
@@ -33,7 +34,7 @@ struct RenderOptions {
     Size size;
     std::string camera;
     double listenS = 0.0;
-    std::optional<std::uint16_t> port;
+    InputPorts ports;
     std::optional<float> ev100;
     render::Integrator integrator = render::Integrator::kAngle;
     int samples = 0;
@@ -85,10 +86,10 @@ void warnIfNothingArrived(const Session& session) {
     const auto hasArrived = [&](const protocol::UniverseId& id) { return session.universes().contains(id); };
     if (patched.empty() || std::any_of(patched.begin(), patched.end(), hasArrived)) return;
     spdlog::warn(
-        "no DMX arrived for the universes of the show on UDP port {}; check the desk's address and "
+        "no DMX arrived for the universes of the show by {}; check the desk's address and "
         "universe, and whether another program took it: of programs on one port only one hears what is "
         "sent to this machine alone, all hear a broadcast",
-        session.port());
+        session.inputs().description());
 }
 
 void writeView(const SessionView& view, const std::string& file) {
@@ -167,7 +168,7 @@ int runRender(RenderOptions options) {
     // A film needs a length; a still has none.
     if (outputKind(options.out) == OutputKind::kFilm && options.seconds == 0.0) options.seconds = 10.0;
     const render::gl::HeadlessContext context;
-    Session session(std::move(show), {.listen = options.listenS > 0.0, .port = options.port});
+    Session session(std::move(show), {.listen = options.listenS > 0.0, .ports = options.ports});
     applySettings(options, session);
     listenFor(options.listenS);
     session.advance(0.0);
@@ -216,8 +217,7 @@ void addInputOptions(CLI::App& command, RenderOptions& options) {
         ->check(checkAssignment);
     command.add_option("--listen", options.listenS, "Listen so many seconds, then draw what stands")
         ->check(numberFrom(0.001, 86400.0));
-    command.add_option("--port", options.port, "UDP port instead of those of the show's inputs")
-        ->check(CLI::Range(1, 65535));
+    addPortOptions(command, options.ports);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
-// hazer send: synthetic DMX over Art-Net.
+// hazer send: synthetic DMX over Art-Net or sACN.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -9,20 +10,32 @@
 
 #include "app/commands/command.h"
 #include "app/interrupt.h"
+#include "app/number_list.h"
+#include "app/send_output.h"
+#include "protocol/artnet.h"
 #include "protocol/pattern.h"
-#include "protocol/sender.h"
 
 namespace hazer::app {
 namespace {
 
 struct SendOptions {
-    std::uint16_t portAddress = 0;
+    std::string protocol = "artnet";
+    std::string universes;  // "1-64"; empty: the first one there is
     std::string pattern;
     std::vector<std::string> levels;  // "SLOT=VALUE"
-    double packetsPerS = 44.0;
-    std::string address = "127.0.0.1";
-    std::uint16_t port = 6454;
+    double framesPerS = 44.0;
+    std::string address;  // empty: sACN by multicast, Art-Net to this machine
+    std::string interface;
+    bool usesIpv6 = false;
+    std::optional<std::uint16_t> port;
     double seconds = 0.0;  // 0: until Ctrl-C
+    std::string name = "hazer";
+    std::uint8_t priority = protocol::kDefaultPriority;
+    std::vector<std::string> slotPriorities;  // "SLOT=PRIORITY"
+    std::uint16_t syncAddress = 0;
+    bool isPreview = false;
+
+    bool isSacn() const { return protocol == "sacn"; }
 };
 
 /// One slot by hand. `index` is 0-based.
@@ -31,14 +44,14 @@ struct Level {
     std::uint8_t value;
 };
 
-std::optional<Level> parseLevel(const std::string& text) {
+std::optional<Level> parseLevel(const std::string& text, int highest = 255) {
     int slot = 0;
     int value = 0;
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) return std::nullopt;
     if (!CLI::detail::lexical_cast(text.substr(0, equals), slot)) return std::nullopt;
     if (!CLI::detail::lexical_cast(text.substr(equals + 1), value)) return std::nullopt;
-    if (slot < 1 || slot > static_cast<int>(protocol::kSlotCount) || value < 0 || value > 255)
+    if (slot < 1 || slot > static_cast<int>(protocol::kSlotCount) || value < 0 || value > highest)
         return std::nullopt;
     return Level{static_cast<std::size_t>(slot - 1), static_cast<std::uint8_t>(value)};
 }
@@ -48,10 +61,32 @@ std::string checkLevel(const std::string& text) {
     return fmt::format("'{}' is no level; write SLOT=VALUE with a slot 1..512 and a value 0..255", text);
 }
 
+std::string checkSlotPriority(const std::string& text) {
+    if (parseLevel(text, protocol::kMaxPriority)) return {};
+    return fmt::format("'{}' is no priority of a slot; write SLOT=PRIORITY with 1..512 and 0..200", text);
+}
+
 std::vector<Level> parseLevels(const std::vector<std::string>& texts) {
     std::vector<Level> levels;
     for (const std::string& text : texts) levels.push_back(*parseLevel(text));
     return levels;
+}
+
+/// Those of the universe, changed where slots have their own. Empty: no slot has.
+std::vector<std::uint8_t> slotPrioritiesOf(const SendOptions& options) {
+    if (options.slotPriorities.empty()) return {};
+    std::vector<std::uint8_t> priorities(protocol::kSlotCount, options.priority);
+    for (const Level& level : parseLevels(options.slotPriorities)) priorities[level.index] = level.value;
+    return priorities;
+}
+
+std::vector<std::uint16_t> universesOf(const SendOptions& options) {
+    const std::uint16_t first = options.isSacn() ? 1 : 0;
+    const std::uint16_t last = options.isSacn() ? protocol::kMaxSacnUniverse : protocol::kMaxPortAddress;
+    if (options.universes.empty()) return {first};
+    if (const auto universes = parseNumberList(options.universes, first, last)) return *universes;
+    throw CLI::ValidationError("--universes", fmt::format("'{}' is no list such as 1-64,70 of numbers {}..{}",
+                                                          options.universes, first, last));
 }
 
 /// Without a word about what to send, a chase shows best that something arrives.
@@ -60,58 +95,150 @@ std::optional<protocol::Pattern> patternOf(const SendOptions& options) {
     return protocol::patternFromName(options.pattern.empty() ? "chase" : options.pattern);
 }
 
-long sendUntilDone(const SendOptions& options, protocol::ArtNetSender& sender) {
-    using Seconds = std::chrono::duration<double>;
+using Seconds = std::chrono::duration<double>;
+
+protocol::TimePoint timeOf(protocol::TimePoint start, double timeS) {
+    return start + std::chrono::duration_cast<protocol::Clock::duration>(Seconds(timeS));
+}
+
+/// Sleeps until `end`, and sends what is due meanwhile.
+void sendUntil(protocol::TimePoint end, SendOutput& output) {
+    for (auto due = output.nextDue(); due && *due < end; due = output.nextDue()) {
+        std::this_thread::sleep_until(*due);
+        output.sendDue(protocol::Clock::now());
+    }
+    std::this_thread::sleep_until(end);
+}
+
+void sendUntilDone(const SendOptions& options, SendOutput& output) {
     const std::optional<protocol::Pattern> pattern = patternOf(options);
     const std::vector<Level> levels = parseLevels(options.levels);
     const Interrupt interrupt;
     const protocol::TimePoint start = protocol::Clock::now();
     protocol::Slots slots{};
-    long sent = 0;
+    std::uint64_t frame = 0;
     for (double timeS = 0.0; options.seconds == 0.0 || timeS < options.seconds;
-         timeS = static_cast<double>(sent) / options.packetsPerS) {
-        std::this_thread::sleep_until(start +
-                                      std::chrono::duration_cast<protocol::Clock::duration>(Seconds(timeS)));
+         timeS = static_cast<double>(++frame) / options.framesPerS) {
+        sendUntil(timeOf(start, timeS), output);
         if (interrupt.asked()) break;
         if (pattern) protocol::fillPattern(*pattern, timeS, slots);
         for (const Level& level : levels) slots[level.index] = level.value;
-        sender.send(options.portAddress, slots);
-        ++sent;
+        output.sendFrame(slots, protocol::Clock::now());
     }
-    return sent;
+    output.finish();
+}
+
+protocol::SacnSenderConfig sacnConfigOf(const SendOptions& options) {
+    protocol::SacnSenderConfig config;
+    config.source.name = options.name;
+    config.source.priority = options.priority;
+    config.source.syncAddress = options.syncAddress;
+    config.source.isPreview = options.isPreview;
+    config.to = options.address;
+    config.interface = options.interface;
+    config.usesIpv6Groups = options.usesIpv6;
+    config.port = options.port.value_or(protocol::kSacnPort);
+    return config;
+}
+
+std::string artNetAddressOf(const SendOptions& options) {
+    return options.address.empty() ? "127.0.0.1" : options.address;
+}
+
+std::unique_ptr<SendOutput> outputOf(const SendOptions& options) {
+    const std::vector<std::uint16_t> universes = universesOf(options);
+    if (options.isSacn()) return sacnOutput(sacnConfigOf(options), universes, slotPrioritiesOf(options));
+    return artNetOutput(artNetAddressOf(options), options.port.value_or(protocol::kArtNetPort), universes);
+}
+
+std::string destinationOf(const SendOptions& options) {
+    if (!options.isSacn()) return artNetAddressOf(options);
+    if (!options.address.empty()) return options.address;
+    return options.interface.empty() ? "multicast" : fmt::format("multicast on {}", options.interface);
 }
 
 int runSend(const SendOptions& options) {
-    protocol::ArtNetSender sender(options.address, options.port);
-    fmt::print(stderr, "sending ArtDmx for Port-Address {} to {}:{}{}\n", options.portAddress,
-               options.address, options.port, options.seconds == 0.0 ? "; Ctrl-C ends it" : "");
-    fmt::print("{} packets sent\n", sendUntilDone(options, sender));
+    const std::unique_ptr<SendOutput> output = outputOf(options);
+    const std::string universes =
+        options.universes.empty() ? (options.isSacn() ? "1" : "0") : options.universes;
+    fmt::print(stderr, "sending {} {} to {}{}\n", options.isSacn() ? "sACN universe" : "Art-Net Port-Address",
+               universes, destinationOf(options), options.seconds == 0.0 ? "; Ctrl-C ends it" : "");
+    sendUntilDone(options, *output);
+    fmt::print("{} packets sent\n", output->packetCount());
     return kExitOk;
+}
+
+/// What only sACN can say must not be left out in silence.
+void refuseSacnOptionsOfArtNet(const CLI::App& command, const SendOptions& options) {
+    if (options.isSacn()) return;
+    for (const char* name :
+         {"--priority", "--slot-priority", "--sync", "--preview", "--name", "--interface", "--ipv6"}) {
+        if (command.count(name) > 0) throw CLI::ValidationError(name, "needs --protocol sacn");
+    }
+}
+
+void addWhatOptions(CLI::App& command, SendOptions& options) {
+    command.add_option("--protocol", options.protocol, "artnet (unless given) or sacn")
+        ->check(CLI::IsMember({"artnet", "sacn"}));
+    command.add_option(
+        "--universe,--universes", options.universes,
+        "Art-Net Port-Addresses 0..32767 or sACN universes 1..63999, such as 1-64,70; the first "
+        "there is unless given");
+    command.add_option("--pattern", options.pattern, "What to send; chase unless slots are given")
+        ->check(CLI::IsMember({"chase", "sine", "strobe", "full"}));
+    command
+        .add_option("--slot", options.levels, "A slot by hand, SLOT=VALUE: 1..512, 0..255; may be repeated")
+        ->check(checkLevel);
+    command.add_option("--rate,--fps", options.framesPerS, "Frames a second, 1..1000; 44 unless given")
+        ->check(numberFrom(1.0, 1000.0));
+    command.add_option("--seconds", options.seconds, "How long; until Ctrl-C unless given")
+        ->check(numberFrom(0.001, 1e6));
+}
+
+void addWhereOptions(CLI::App& command, SendOptions& options) {
+    command.add_option("--to", options.address,
+                       "IP address of the receiver; unless given 127.0.0.1 for Art-Net, multicast for sACN");
+    command.add_option("--port", options.port, "UDP port; unless given 6454 for Art-Net, 5568 for sACN")
+        ->check(CLI::Range(1, 65535));
+    command.add_option("--interface", options.interface,
+                       "sACN: name or address of the one to multicast from");
+    command.add_flag("--ipv6", options.usesIpv6, "sACN: multicast groups of IPv6");
+}
+
+void addSourceOptions(CLI::App& command, SendOptions& options) {
+    command.add_option("--name", options.name, "sACN: what the source calls itself; hazer unless given");
+    command.add_option("--priority", options.priority, "sACN: 0..200; 100 unless given")
+        ->check(CLI::Range(0, 200));
+    command
+        .add_option(
+            "--slot-priority", options.slotPriorities,
+            "sACN: per-address priority of a slot, SLOT=PRIORITY: 0 is not controlled; may be repeated")
+        ->check(checkSlotPriority);
+    command
+        .add_option("--sync", options.syncAddress,
+                    "sACN: synchronize all universes by this address, 1..63999")
+        ->check(CLI::Range(1, 63999));
+    command.add_flag("--preview", options.isPreview, "sACN: mark as preview data, not meant for live output");
 }
 
 }  // namespace
 
 void addSendCommand(CLI::App& program, Command& chosen) {
     auto options = std::make_shared<SendOptions>();
-    CLI::App* command = program.add_subcommand("send", "Send synthetic DMX over Art-Net.");
+    CLI::App* command = program.add_subcommand("send", "Send synthetic DMX over Art-Net or sACN.");
     beginHelpWith(*command,
                   "  hazer send --universe 1 --pattern chase     a chase to this machine until Ctrl-C\n"
                   "  hazer send --slot 1=255 --slot 5=128        two slots by hand, sent steadily\n"
-                  "  hazer send --pattern full --to 2.0.0.5 --seconds 10\n");
-    command->add_option("--universe", options->portAddress, "Art-Net Port-Address, 0..32767")
-        ->check(CLI::Range(0, 32767));
-    command->add_option("--pattern", options->pattern, "What to send; chase unless slots are given")
-        ->check(CLI::IsMember({"chase", "sine", "strobe", "full"}));
-    command
-        ->add_option("--slot", options->levels, "A slot by hand, SLOT=VALUE: 1..512, 0..255; may be repeated")
-        ->check(checkLevel);
-    command->add_option("--fps", options->packetsPerS, "Packets a second, 1..1000; 44 unless given")
-        ->check(numberFrom(1.0, 1000.0));
-    command->add_option("--to", options->address, "IPv4 address of the receiver; 127.0.0.1 unless given");
-    command->add_option("--port", options->port, "UDP port; 6454 unless given")->check(CLI::Range(1, 65535));
-    command->add_option("--seconds", options->seconds, "How long; until Ctrl-C unless given")
-        ->check(numberFrom(0.001, 1e6));
-    command->callback([options, &chosen] { chosen = [options] { return runSend(*options); }; });
+                  "  hazer send --pattern full --to 2.0.0.5 --seconds 10\n"
+                  "  hazer send --protocol sacn --universes 1-64 --priority 120 --interface eth0\n");
+    addWhatOptions(*command, *options);
+    addWhereOptions(*command, *options);
+    addSourceOptions(*command, *options);
+    command->callback([options, command, &chosen] {
+        refuseSacnOptionsOfArtNet(*command, *options);
+        universesOf(*options);  // so that a wrong list is wrong usage
+        chosen = [options] { return runSend(*options); };
+    });
 }
 
 }  // namespace hazer::app

@@ -87,6 +87,21 @@ void drawShowControl(const protocol::ArtNetStatus& artNet) {
     if (artNet.trigger) ImGui::TextDisabled("trigger %s", triggerText(*artNet.trigger).c_str());
 }
 
+/// Who announces itself, and what is out of order.
+void drawSacn(const protocol::SacnReport& report) {
+    for (const protocol::SacnDiscoveredSource& source : report.discovered) {
+        ImGui::TextDisabled("%s at %s announces %d sACN universes", source.name.c_str(),
+                            source.address.c_str(), static_cast<int>(source.universes.size()));
+    }
+    for (const protocol::SacnSyncStatus& sync : report.syncs) {
+        if (sync.isLost)
+            ImGui::Text("synchronization address %d of sACN is lost", static_cast<int>(sync.address));
+    }
+    for (const std::uint16_t universe : report.universesOfWrongGroups) {
+        ImGui::Text("sACN universe %d comes by the multicast group of another", static_cast<int>(universe));
+    }
+}
+
 /// Tells the slot under the mouse.
 void describeHovered(const protocol::Slots& slots, const ImVec2& corner, const ImVec2& cell) {
     if (!ImGui::IsItemHovered()) return;
@@ -120,10 +135,10 @@ void drawSlots(const protocol::Slots& slots) {
 }  // namespace
 
 void drawNetwork(Session& session) {
-    if (session.port() == 0) {
-        ImGui::TextDisabled("nothing listens to Art-Net");
-    } else {
-        ImGui::TextDisabled("listening on UDP port %d", static_cast<int>(session.port()));
+    const std::string listening = session.inputs().description();
+    ImGui::TextDisabled("%s", listening.empty() ? "nothing listens" : listening.c_str());
+    for (const protocol::SacnReport& report : session.inputs().sacn()) drawSacn(report);
+    if (session.port() != 0) {
         const protocol::ArtNetStatus artNet = session.inputs().artNet();
         drawShowControl(artNet);
         drawCounters(artNet.counters);

@@ -6,8 +6,10 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "app/paths.h"
+#include "protocol/sacn_receiver.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -52,6 +54,13 @@ TEST(Program, wrongUsageIsExitCode1) {
     EXPECT_EQ(hazer({"render", "a.toml", "--out", "a.gif"}).exitCode, 1);
     EXPECT_EQ(hazer({"render", "a.toml", "--set", "spot1"}).exitCode, 1);
     EXPECT_EQ(hazer({"send", "--universe", "32768"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--universes", "5-1"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--protocol", "sacn", "--universe", "0"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--protocol", "sacn", "--universe", "64000"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--protocol", "sacn", "--priority", "201"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--protocol", "sacn", "--slot-priority", "1=201"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--protocol", "sacn", "--sync", "0"}).exitCode, 1);
+    EXPECT_THAT(hazer({"send", "--priority", "150"}).errors, HasSubstr("needs --protocol sacn"));
     EXPECT_EQ(hazer({"send", "--pattern", "rainbow"}).exitCode, 1);
     EXPECT_EQ(hazer({"send", "--slot", "513=1"}).exitCode, 1);
     EXPECT_EQ(hazer({"send", "--slot", "1=256"}).exitCode, 1);
@@ -188,6 +197,61 @@ TEST(Send, endsAfterItsTime) {
     EXPECT_EQ(result.exitCode, 0) << result.errors;
     EXPECT_EQ(result.output, "10 packets sent\n");
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(Send, speaksSacnByUnicast) {
+    protocol::UniverseStore store;
+    protocol::SacnReceiverConfig config;
+    config.interface = "lo";
+    config.port = 0;
+    const protocol::SacnReceiver receiver(config, store);
+    const test::ProcessResult result = hazer({"send",
+                                              "--protocol",
+                                              "sacn",
+                                              "--universes",
+                                              "1-3,63999",
+                                              "--slot",
+                                              "1=5",
+                                              "--slot-priority",
+                                              "2=0",
+                                              "--priority",
+                                              "120",
+                                              "--sync",
+                                              "7000",
+                                              "--name",
+                                              "Pult",
+                                              "--to",
+                                              "127.0.0.1",
+                                              "--port",
+                                              std::to_string(receiver.port()),
+                                              "--seconds",
+                                              "0.8"});
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_THAT(result.errors, HasSubstr("sending sACN universe 1-3,63999 to 127.0.0.1"));
+    const auto patience = protocol::Clock::now() + std::chrono::seconds(10);
+    while (receiver.counters().terminations < 12 && protocol::Clock::now() < patience) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const protocol::SacnReport report = receiver.report();
+    const protocol::SacnCounters& seen = report.counters;
+    EXPECT_EQ(seen.terminations, 12U);
+    EXPECT_GE(seen.levels, 16U) << "a change, three repeats";
+    EXPECT_GE(seen.slotPriorities, 16U);
+    EXPECT_EQ(seen.syncs, seen.levels / 4);
+    EXPECT_EQ(result.output, fmt::format("{} packets sent\n", seen.levels + seen.slotPriorities + seen.syncs +
+                                                                  seen.discoveries + seen.terminations));
+    EXPECT_THAT(report.discovered.at(0).universes, ::testing::ElementsAre(1, 2, 3, 63999));
+    const auto status = store.status(protocol::Clock::now());
+    ASSERT_EQ(status.size(), 4U);
+    EXPECT_EQ(status[0].sources.at(0).name, "Pult");
+    EXPECT_EQ(status[0].sources.at(0).priority, 120);
+    EXPECT_EQ(status[3].look.slots[0], 5);
+}
+
+TEST(Send, sendsManyUniversesOfArtNet) {
+    const test::ProcessResult result =
+        hazer({"send", "--universes", "0-9", "--port", "49152", "--seconds", "0.5", "--rate", "20"});
+    EXPECT_EQ(result.output, "100 packets sent\n");
 }
 
 TEST(Send, refusesWhatIsNoAddress) {

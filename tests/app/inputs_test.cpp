@@ -5,6 +5,7 @@
 
 #include <thread>
 
+#include "protocol/sacn_sender.h"
 #include "protocol/sender.h"
 
 namespace hazer::app {
@@ -30,7 +31,7 @@ TEST(Inputs, AsksForTheUniversesOfTheFixtures) {
 
 TEST(Inputs, TakesLevelsForAnyTransport) {
     Inputs inputs(showWith(""));
-    inputs.listen(std::uint16_t{0});
+    inputs.listen({.artNet = 0, .sacn = 0});
     protocol::ArtNetSender desk("127.0.0.1", inputs.port());
     desk.send(4, std::vector<std::uint8_t>{7, 8});
     protocol::UniverseSet set;
@@ -44,7 +45,7 @@ TEST(Inputs, TakesLevelsForAnyTransport) {
 
 TEST(Inputs, ALookFadesOutIfTheShowSaysSo) {
     Inputs inputs(showWith("on_loss='fade'\nfade_s=0"));
-    inputs.listen(std::uint16_t{0});
+    inputs.listen({.artNet = 0, .sacn = 0});
     protocol::ArtNetSender desk("127.0.0.1", inputs.port());
     desk.send(3, std::vector<std::uint8_t>{7, 8});
     protocol::UniverseSet set;
@@ -56,6 +57,38 @@ TEST(Inputs, ALookFadesOutIfTheShowSaysSo) {
     EXPECT_EQ(set[universe].slots[1], 8);
     inputs.latch(set, protocol::Clock::now() + std::chrono::seconds(11));
     EXPECT_EQ(set[universe].slots[1], 0);
+}
+
+std::string lampOn(const std::string& where) {
+    return "[[fixture]]\nname='a'\ngdtf='par-rgbw'\nmode='Standard'\nslot=1\n" + where;
+}
+
+TEST(Inputs, BringSacnToItsFixtures) {
+    Inputs inputs(parseShow(
+        "[[input]]\nprotocol='sacn'\ninterface='lo'\n" + lampOn("protocol='sacn'\nuniverse=5"), "a.toml"));
+    inputs.listen({.artNet = 0, .sacn = 0});
+    protocol::SacnSenderConfig config;
+    config.to = "127.0.0.1";
+    config.port = inputs.sacnPort();
+    protocol::SacnSender desk(config);
+    desk.setLevels(5, std::vector<std::uint8_t>{77});
+    desk.sendDue(protocol::Clock::now());
+    protocol::UniverseSet set;
+    for (int i = 0; i < 10000 && set.empty(); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        inputs.latch(set, protocol::Clock::now());
+    }
+    EXPECT_EQ((set[{protocol::Transport::kSacn, 5}].slots[0]), 77);
+    EXPECT_EQ(inputs.sacn().at(0).counters.levels, 1U);
+}
+
+TEST(Inputs, OfAShowWithoutAnyAreArtNetForAPatchWithoutSacn) {
+    for (const std::string& text : {std::string(), lampOn("universe=5")}) {
+        Inputs inputs(parseShow(text, "a.toml"));
+        inputs.listen({.artNet = 0, .sacn = 0});
+        EXPECT_NE(inputs.port(), 0) << text;
+        EXPECT_EQ(inputs.sacnPort(), 0) << text;
+    }
 }
 
 }  // namespace

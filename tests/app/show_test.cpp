@@ -36,6 +36,12 @@ protocol = "artnet"
 address = "127.0.0.1"
 port = 6455
 
+[[input]]
+protocol = "sacn"
+interface = "eth1"
+preview = "live"
+port = 5569
+
 [[camera]]
 name = "front"
 position = [0, -10, 2]
@@ -104,8 +110,13 @@ TEST(Show, readsEverything) {
     EXPECT_FLOAT_EQ(show.haze.phase.backwardG, -0.5f);
     EXPECT_FLOAT_EQ(show.exposureEv100, 6.5f);
     EXPECT_FLOAT_EQ(show.ambient.illuminanceLx, 2.0f);
-    ASSERT_EQ(show.inputs.size(), 1u);
+    ASSERT_EQ(show.inputs.size(), 2u);
+    EXPECT_EQ(show.inputs[0].transport, protocol::Transport::kArtNet);
     EXPECT_EQ(show.inputs[0].port, 6455);
+    EXPECT_EQ(show.inputs[1].transport, protocol::Transport::kSacn);
+    EXPECT_EQ(show.inputs[1].interface, "eth1");
+    EXPECT_EQ(show.inputs[1].preview, protocol::PreviewRule::kLiveOnly);
+    EXPECT_EQ(show.inputs[1].port, 5569);
     EXPECT_NEAR(show.camera("front").camera.verticalFovRad, glm::radians(40.0), 1e-12);
     ASSERT_EQ(show.fixtures.size(), 1u);
     EXPECT_EQ(show.fixtures[0].universe.number, 3);
@@ -279,6 +290,31 @@ TEST(WorldFromPlaced, turnsAboutXThenYThenZ) {
     const glm::dvec3 direction = glm::dvec3(world * glm::dvec4(0.0, 0.0, -1.0, 0.0));
     EXPECT_NEAR(glm::distance(direction, glm::dvec3(-1.0, 0.0, 0.0)), 0.0, 1e-12);
     EXPECT_EQ(glm::dvec3(world[3]), glm::dvec3(1.0, 2.0, 3.0));
+}
+
+ShowFixture fixtureAt(const std::string& where) {
+    return parseShow("[[fixture]]\nname='a'\ngdtf='b'\nmode='c'\nslot=1\n" + where, "a.toml").fixtures.at(0);
+}
+
+TEST(Show, patchesFixturesToArtNetSacnAndAny) {
+    EXPECT_EQ(fixtureAt("universe=0").universe, (protocol::UniverseId{protocol::Transport::kArtNet, 0}));
+    EXPECT_EQ(fixtureAt("protocol='sacn'\nuniverse=63999").universe,
+              (protocol::UniverseId{protocol::Transport::kSacn, 63999}));
+    EXPECT_EQ(fixtureAt("protocol='any'\nuniverse=7").universe,
+              (protocol::UniverseId{protocol::Transport::kAny, 7}));
+    EXPECT_THROW(fixtureAt("protocol='sacn'\nuniverse=0"), ShowError);
+    EXPECT_THROW(fixtureAt("protocol='sacn'\nuniverse=64000"), ShowError);
+    EXPECT_THROW(fixtureAt("protocol='artnet'\nuniverse=32768"), ShowError);
+}
+
+TEST(Show, anInputHasTheKeysOfItsProtocol) {
+    const ShowInput sacn = parseShow("[[input]]\nprotocol='sacn'", "a.toml").inputs.at(0);
+    EXPECT_EQ(sacn.port, 5568);
+    EXPECT_EQ(sacn.interface, "");
+    EXPECT_EQ(sacn.preview, protocol::PreviewRule::kBoth);
+    EXPECT_THROW(parseShow("[[input]]\nprotocol='sacn'\naddress='10.0.0.1'", "a.toml"), ShowError);
+    EXPECT_THROW(parseShow("[[input]]\nprotocol='artnet'\npreview='live'", "a.toml"), ShowError);
+    EXPECT_THROW(parseShow("[[input]]\nprotocol='sacn'\npreview='never'", "a.toml"), ShowError);
 }
 
 }  // namespace

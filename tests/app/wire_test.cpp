@@ -44,7 +44,7 @@ using Levels = std::vector<std::pair<std::string, double>>;
 class Wire {
  public:
     explicit Wire(const std::string& show)
-        : session_(parseShow(show, "wire.toml"), {.listen = true, .port = std::uint16_t{0}}),
+        : session_(parseShow(show, "wire.toml"), {.listen = true, .ports = {.artNet = 0, .sacn = 0}}),
           desk_("127.0.0.1", session_.port()) {
         session_.settings().width = kWidth;
         session_.settings().height = kHeight;

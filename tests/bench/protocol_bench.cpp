@@ -1,6 +1,7 @@
-// What it costs to have Art-Net in the store: nanoseconds a packet, allocations, and a loopback run at the
-// load of a large show.
+// What it costs to have Art-Net and sACN in the store: nanoseconds a packet, allocations, and a loopback run
+// at the load of a large show.
 //     protocol_bench [--universes 512] [--fps 44] [--seconds 10] [--no-limit]
+// What is measured of the network is loopback by unicast.
 #include <fmt/core.h>
 #include <sys/resource.h>
 
@@ -11,11 +12,14 @@
 #include <asio/ip/udp.hpp>
 #include <chrono>
 #include <cstring>
+#include <functional>
+#include <optional>
 #include <thread>
 #include <vector>
 
 #include "protocol/artnet_node.h"
 #include "protocol/receiver.h"
+#include "protocol/sacn_receiver.h"
 #include "protocol/universe_store.h"
 #include "tests/protocol/allocation_counter.h"
 
@@ -25,7 +29,12 @@ using namespace hazer::protocol;
 using Bytes = std::vector<std::uint8_t>;
 using Seconds = std::chrono::duration<double>;
 
-constexpr std::size_t kSlotsOffset = 18;
+/// The packets of one frame, and where each has its slots.
+struct Frame {
+    std::vector<Bytes> packets;
+    std::size_t slotsOffset = 0;
+    std::optional<std::size_t> sequenceOffset;  // absent: not numbered
+};
 
 struct Options {
     int universes = 512;
@@ -38,10 +47,26 @@ double secondsSince(TimePoint start) {
     return Seconds(Clock::now() - start).count();
 }
 
-std::vector<Bytes> frameOf(int universes) {
-    std::vector<Bytes> frame;
+Frame artNetFrame(int universes) {
+    Frame frame{{}, 18, std::nullopt};
     const Slots slots{};
-    for (int i = 0; i < universes; ++i) frame.push_back(packArtDmx(static_cast<std::uint16_t>(i), 0, slots));
+    for (int i = 0; i < universes; ++i) {
+        frame.packets.push_back(packArtDmx(static_cast<std::uint16_t>(i), 0, slots));
+    }
+    return frame;
+}
+
+Frame sacnFrame(int universes) {
+    Frame frame{{}, 126, 111};
+    const Slots slots{};
+    SacnData data;
+    data.cid.fill(1);
+    data.sourceName = "bench";
+    data.slots = slots;
+    for (int i = 0; i < universes; ++i) {
+        data.universe = static_cast<std::uint16_t>(i + 1);
+        frame.packets.push_back(packSacnData(data));
+    }
     return frame;
 }
 
@@ -64,11 +89,11 @@ Cost costOf(int count, Once once) {
 }
 
 /// Parsing and copying, with nobody to merge with and nothing to remember.
-Cost costOfCopying(std::vector<Bytes> frame) {
-    std::vector<Slots> universes(frame.size());
-    return costOf(static_cast<int>(frame.size()), [&](int round) {
-        for (Bytes& packet : frame) {
-            packet[kSlotsOffset] = static_cast<std::uint8_t>(round);
+Cost costOfCopying(Frame frame) {
+    std::vector<Slots> universes(frame.packets.size());
+    return costOf(static_cast<int>(frame.packets.size()), [&](int round) {
+        for (Bytes& packet : frame.packets) {
+            packet[frame.slotsOffset] = static_cast<std::uint8_t>(round);
             const ArtNetPacket parsed = parseArtNet(packet);
             const auto& dmx = std::get<ArtDmx>(parsed);
             std::ranges::copy(dmx.slots, universes[dmx.portAddress].begin());
@@ -77,27 +102,46 @@ Cost costOfCopying(std::vector<Bytes> frame) {
 }
 
 /// Through the node into the merger, from `sources` addresses in turn.
-Cost costOfMerging(std::vector<Bytes> frame, int sources) {
+Cost costOfMerging(Frame frame, int sources) {
     UniverseMerger merger;
     ArtNetNode node{ArtNetNodeConfig{}};
     TimePoint now{std::chrono::hours(1)};
     const auto once = [&](int round) {
         now += std::chrono::milliseconds(23);
         const Endpoint from{{10, 0, 0, static_cast<std::uint8_t>(round % sources)}, kArtNetPort};
-        for (Bytes& packet : frame) {
-            packet[kSlotsOffset] = static_cast<std::uint8_t>(round);
+        for (Bytes& packet : frame.packets) {
+            packet[frame.slotsOffset] = static_cast<std::uint8_t>(round);
             node.receive(packet, from, now, merger);
         }
     };
-    return costOf(static_cast<int>(frame.size()), once);
+    return costOf(static_cast<int>(frame.packets.size()), once);
 }
 
-Cost costOfLatching(const std::vector<Bytes>& frame) {
+/// The same through the sACN listener, from `sources` CIDs in turn.
+Cost costOfMergingSacn(Frame frame, int sources) {
+    constexpr std::size_t kCidOffset = 22;
+    UniverseMerger merger;
+    SacnListener listener;
+    TimePoint now{std::chrono::hours(1)};
+    const IpEndpoint from{.address = {10, 0, 0, 1}, .port = kSacnPort};
+    const auto once = [&](int round) {
+        now += std::chrono::milliseconds(23);
+        for (Bytes& packet : frame.packets) {
+            packet[kCidOffset] = static_cast<std::uint8_t>(round % sources);
+            packet[*frame.sequenceOffset] = static_cast<std::uint8_t>(round / sources);
+            packet[frame.slotsOffset] = static_cast<std::uint8_t>(round);
+            listener.receive(packet, from, from, now, merger);
+        }
+    };
+    return costOf(static_cast<int>(frame.packets.size()), once);
+}
+
+Cost costOfLatching(const Frame& frame) {
     UniverseStore store;
     ArtNetNode node{ArtNetNodeConfig{}};
     const TimePoint now{std::chrono::hours(1)};
     store.change([&](UniverseMerger& merger) {
-        for (const Bytes& packet : frame) node.receive(packet, {}, now, merger);
+        for (const Bytes& packet : frame.packets) node.receive(packet, {}, now, merger);
     });
     UniverseSet set;
     return costOf(1, [&](int) { store.latch(set, now); });
@@ -124,10 +168,10 @@ struct Load {
 /// A desk: all universes in one burst a frame, each packet with the moment of its sending in its first slots.
 class Desk {
  public:
-    Desk(std::uint16_t port, int universes)
+    Desk(std::uint16_t port, Frame frame)
         : socket_(context_, asio::ip::udp::v4()),
           to_(asio::ip::address_v4::loopback(), port),
-          frame_(frameOf(universes)) {}
+          frame_(std::move(frame)) {}
 
     /// Returns the number of packets sent. `cpuS` becomes what this thread needed.
     std::uint64_t play(double fps, double seconds, double& cpuS) {
@@ -137,7 +181,7 @@ class Desk {
         for (int i = 0; i / fps < seconds; ++i) {
             std::this_thread::sleep_until(start +
                                           std::chrono::duration_cast<Clock::duration>(Seconds(i / fps)));
-            for (Bytes& packet : frame_) sent += send(packet) ? 1U : 0U;
+            for (Bytes& packet : frame_.packets) sent += send(packet) ? 1U : 0U;
         }
         cpuS = cpuSeconds(RUSAGE_THREAD) - cpuBefore;
         return sent;
@@ -146,7 +190,8 @@ class Desk {
  private:
     bool send(Bytes& packet) {
         const Clock::rep now = Clock::now().time_since_epoch().count();
-        std::memcpy(&packet[kSlotsOffset], &now, sizeof now);
+        std::memcpy(&packet[frame_.slotsOffset], &now, sizeof now);
+        if (frame_.sequenceOffset) ++packet[*frame_.sequenceOffset];
         std::error_code failure;
         socket_.send_to(asio::buffer(packet), to_, 0, failure);
         return !failure;
@@ -155,7 +200,7 @@ class Desk {
     asio::io_context context_;
     asio::ip::udp::socket socket_;
     asio::ip::udp::endpoint to_;
-    std::vector<Bytes> frame_;
+    Frame frame_;
 };
 
 /// From the call that sent a packet to the moment its batch was merged, for what came since the last look.
@@ -169,12 +214,15 @@ void collectLatencies(const UniverseSet& set, TimePoint since, std::vector<doubl
     }
 }
 
-Load measureLoad(int universes, double fps, double seconds, bool latches) {
-    ReceiverConfig config;
-    config.address = "127.0.0.1";
-    config.port = 0;
-    UniverseStore store;
-    const Receiver receiver(config, store);
+/// A receiver of either protocol that runs.
+struct Listening {
+    std::uint16_t port = 0;
+    std::function<std::uint64_t()> taken;
+    std::function<std::uint64_t()> droppedBySystem;
+};
+
+Load measureLoad(const Listening& receiver, UniverseStore& store, const Frame& frame, double fps,
+                 double seconds, bool latches) {
     Load load;
     double deskCpuS = 0.0;
     const double processBefore = cpuSeconds(RUSAGE_SELF);
@@ -182,7 +230,7 @@ Load measureLoad(int universes, double fps, double seconds, bool latches) {
     const TimePoint start = Clock::now();
     std::atomic<bool> isOver = false;
     std::thread desk([&] {
-        load.sent = Desk(receiver.port(), universes).play(fps, seconds, deskCpuS);
+        load.sent = Desk(receiver.port, frame).play(fps, seconds, deskCpuS);
         isOver = true;
     });
     UniverseSet set;
@@ -201,9 +249,31 @@ Load measureLoad(int universes, double fps, double seconds, bool latches) {
     load.receiverShare =
         (cpuSeconds(RUSAGE_SELF) - processBefore - (cpuSeconds(RUSAGE_THREAD) - ownBefore) - deskCpuS) /
         load.seconds;
-    load.taken = receiver.counters().dmx;
-    load.droppedBySystem = receiver.counters().droppedBySystem;
+    load.taken = receiver.taken();
+    load.droppedBySystem = receiver.droppedBySystem();
     return load;
+}
+
+Load measureArtNet(int universes, double fps, double seconds, bool latches) {
+    ReceiverConfig config;
+    config.address = "127.0.0.1";
+    config.port = 0;
+    UniverseStore store;
+    const Receiver receiver(config, store);
+    const Listening listening{receiver.port(), [&] { return receiver.counters().dmx; },
+                              [&] { return receiver.counters().droppedBySystem; }};
+    return measureLoad(listening, store, artNetFrame(universes), fps, seconds, latches);
+}
+
+Load measureSacn(int universes, double fps, double seconds, bool latches) {
+    SacnReceiverConfig config;
+    config.interface = "lo";
+    config.port = 0;
+    UniverseStore store;
+    const SacnReceiver receiver(config, store);
+    const Listening listening{receiver.port(), [&] { return receiver.counters().levels; },
+                              [&] { return receiver.droppedBySystem(); }};
+    return measureLoad(listening, store, sacnFrame(universes), fps, seconds, latches);
 }
 
 double quantile(std::vector<double>& values, double share) {
@@ -214,9 +284,10 @@ double quantile(std::vector<double>& values, double share) {
     return *place;
 }
 
-void printLoad(int universes, double fps, Load load) {
-    fmt::print("| {} universes at {:.0f} Hz, {:.0f} s | {} sent, {} lost ({} by the system) |\n", universes,
-               fps, load.seconds, load.sent, load.sent - load.taken, load.droppedBySystem);
+void printLoad(const char* protocol, int universes, double fps, Load load) {
+    fmt::print("| {}, {} universes at {:.0f} Hz, {:.0f} s | {} sent, {} lost ({} by the system) |\n",
+               protocol, universes, fps, load.seconds, load.sent, load.sent - load.taken,
+               load.droppedBySystem);
     fmt::print("| receive and merge thread | {:.1f} % of a core |\n", 100.0 * load.receiverShare);
     fmt::print("| packet to store | median {:.0f} us, p99 {:.0f} us |\n", quantile(load.latenciesUs, 0.5),
                quantile(load.latenciesUs, 0.99));
@@ -226,7 +297,7 @@ void printLoad(int universes, double fps, Load load) {
 void printLimit(int universes, double fps) {
     double lossless = 0.0;
     for (double rate = fps; rate < 4000.0; rate *= 1.25) {
-        const Load load = measureLoad(universes, rate, 2.0, false);
+        const Load load = measureArtNet(universes, rate, 2.0, false);
         if (load.taken < load.sent) {
             fmt::print("| first loss | at {:.0f} packets/s: {} of {} |\n",
                        static_cast<double>(load.sent) / load.seconds, load.sent - load.taken, load.sent);
@@ -242,7 +313,7 @@ void printLimit(int universes, double fps) {
 
 Options parse(int argc, char** argv) {
     Options options;
-    CLI::App app{"What it costs to have Art-Net in the store"};
+    CLI::App app{"What it costs to have Art-Net and sACN in the store"};
     app.add_option("--universes", options.universes)->check(CLI::Range(1, 32768));
     app.add_option("--fps", options.fps)->check(CLI::Range(1.0, 1000.0));
     app.add_option("--seconds", options.seconds)->check(CLI::Range(1.0, 3600.0));
@@ -263,15 +334,20 @@ void printCost(const char* what, const Cost& cost) {
 
 int main(int argc, char** argv) {
     const Options options = parse(argc, argv);
-    const std::vector<Bytes> frame = frameOf(options.universes);
+    const Frame frame = artNetFrame(options.universes);
+    const Frame sacn = sacnFrame(options.universes);
     fmt::print("| what | measured |\n|---|---|\n");
     printCost("baseline: parse one ArtDmx and copy its slots", costOfCopying(frame));
     printCost("parse and merge one ArtDmx, one source", costOfMerging(frame, 1));
     printCost("the same, two sources", costOfMerging(frame, 2));
+    printCost("parse and merge one sACN packet, one source", costOfMergingSacn(sacn, 1));
+    printCost("the same, two sources", costOfMergingSacn(sacn, 2));
     const Cost latch = costOfLatching(frame);
     fmt::print("| latch {} universes | {:.0f} us, {:.3f} allocations |\n", options.universes,
                latch.nanoseconds / 1000.0, latch.allocations);
-    printLoad(options.universes, options.fps,
-              measureLoad(options.universes, options.fps, options.seconds, true));
+    printLoad("Art-Net", options.universes, options.fps,
+              measureArtNet(options.universes, options.fps, options.seconds, true));
+    printLoad("sACN", options.universes, options.fps,
+              measureSacn(options.universes, options.fps, options.seconds, true));
     if (!options.skipsLimit) printLimit(options.universes, options.fps);
 }
