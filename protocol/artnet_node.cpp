@@ -72,7 +72,7 @@ void ArtNetNode::take(const ArtDmx& dmx, const Packet& packet) {
 
 // A universe that is merging has no one moment at which it is whole: it shows at once (section ArtSync).
 Verdict ArtNetNode::merge(const Levels& levels, bool isSynchronous, const Packet& packet) {
-    if (isSynchronous && !packet.merger.isMerging(levels.universe)) {
+    if (isSynchronous && !packet.merger.isMerging(levels.universe, packet.now)) {
         return packet.merger.hold(levels, syncGroupOf(packet.from.address), packet.now);
     }
     const Verdict verdict = packet.merger.show(levels, packet.now);
@@ -230,7 +230,7 @@ void ArtNetNode::advance(TimePoint now, UniverseMerger& merger) {
     if (now < nextChangeCheck_) return;
     nextChangeCheck_ = desks_.all(now).empty() ? TimePoint::max() : now + kChangeInterval;
     for (std::size_t i = 0; i < ports_.all().size(); ++i) {
-        const auto change = ports_.update(i, merger);
+        const auto change = ports_.update(i, merger, now);
         if (!change) continue;
         tellOfChange({change->onWire, change->onWire}, now);
         if (!change->hasMergingChanged) continue;

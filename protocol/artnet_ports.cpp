@@ -47,11 +47,12 @@ bool ArtNetPorts::program(ArtNetPort& port, const ArtAddress& address) {
     return isChanged;
 }
 
-std::optional<ArtNetPortChange> ArtNetPorts::update(std::size_t index, const UniverseMerger& merger) {
+std::optional<ArtNetPortChange> ArtNetPorts::update(std::size_t index, UniverseMerger& merger,
+                                                    TimePoint now) {
     ArtNetPort& port = ports_[index];
     const UniverseId universe{Transport::kArtNet, port.patched};
-    const bool isReceiving = merger.isLive(universe);
-    const bool isMerging = merger.isMerging(universe);
+    const bool isReceiving = merger.isLive(universe, now);
+    const bool isMerging = merger.isMerging(universe, now);
     const MergeMode mode = merger.mode(universe);
     const bool hasMergingChanged = isMerging != port.isMerging;
     if (!hasMergingChanged && isReceiving == port.isReceiving && mode == port.mode) return std::nullopt;

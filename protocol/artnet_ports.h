@@ -44,7 +44,7 @@ class ArtNetPorts {
     bool program(ArtNetPort& port, const ArtAddress& address);
 
     /// Compares one port with what the merger says now, and remembers that. Nothing if nothing changed.
-    std::optional<ArtNetPortChange> update(std::size_t index, const UniverseMerger& merger);
+    std::optional<ArtNetPortChange> update(std::size_t index, UniverseMerger& merger, TimePoint now);
 
  private:
     std::vector<ArtNetPort> ports_;  ///< Ascending as patched.

@@ -236,15 +236,19 @@ void UniverseMerger::clear(UniverseId id, TimePoint now) {
     if (MergedUniverse* const universe = impl_->find(id)) universe->clear(now);
 }
 
-bool UniverseMerger::isLive(UniverseId id) const {
-    const MergedUniverse* const universe = impl_->find(id);
-    const Look* const look = universe ? universe->findLook(impl_->shownAs(id)) : nullptr;
+bool UniverseMerger::isLive(UniverseId id, TimePoint now) {
+    MergedUniverse* const universe = impl_->find(id);
+    if (!universe) return false;
+    universe->advance(now);
+    const Look* const look = universe->findLook(impl_->shownAs(id));
     return look && universe->isLive(*look);
 }
 
-bool UniverseMerger::isMerging(UniverseId id) const {
-    const MergedUniverse* const universe = impl_->find(id);
-    const Look* const look = universe ? universe->findLook(impl_->shownAs(id)) : nullptr;
+bool UniverseMerger::isMerging(UniverseId id, TimePoint now) {
+    MergedUniverse* const universe = impl_->find(id);
+    if (!universe) return false;
+    universe->advance(now);
+    const Look* const look = universe->findLook(impl_->shownAs(id));
     return look && universe->isMerging(*look);
 }
 

@@ -125,10 +125,10 @@ class UniverseMerger {
     void clear(UniverseId universe, TimePoint now);
 
     /// Whether any source of this universe is alive.
-    bool isLive(UniverseId universe) const;
+    bool isLive(UniverseId universe, TimePoint now);
 
     /// Whether two sources or more of this universe are alive.
-    bool isMerging(UniverseId universe) const;
+    bool isMerging(UniverseId universe, TimePoint now);
 
     /// When a source will be lost, a sampling period ends or a held look has to be let go; nothing then:
     /// never.

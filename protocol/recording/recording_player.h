@@ -40,6 +40,9 @@ class RecordingPlayer {
     std::vector<UniverseStatus> status() { return state_.status(time_); }
     const ReplayState& state() const { return state_; }
 
+    /// Packets of lighting up to now, those that the recording could not give whole included.
+    std::uint64_t packetCount() const { return reader_->refusedCount() + state_.packetCount(); }
+
     /// Packets up to now that the recording could not give, or the receiver would not take.
     std::uint64_t refusedCount() const { return reader_->refusedCount() + state_.refusedCount(); }
 

@@ -36,11 +36,24 @@ ReplayState::ReplayState(const ReplayRules& rules)
 
 void ReplayState::play(const RecordedPacket& packet) {
     const TimePoint now = timePointOf(packet.time);
+    ageTo(now);
     ++packetCount_;
     if (const auto* datagram = std::get_if<RecordedDatagram>(&packet.content)) {
         playDatagram(*datagram, now);
     } else {
         playFrame(std::get<RecordedFrame>(packet.content), now);
+    }
+}
+
+/// What happens without packets happens at its own time, not when somebody looks. Answers that a desk would
+/// get are dropped.
+void ReplayState::ageTo(TimePoint now) {
+    for (auto due = artNet_.nextDeadline(); due && *due <= now;) {
+        artNet_.advance(*due, merger_);
+        while (artNet_.takeDueReply(*due)) {
+        }
+        const auto next = artNet_.nextDeadline();
+        due = next == due ? std::nullopt : next;
     }
 }
 
@@ -61,8 +74,6 @@ void ReplayState::playArtNet(const RecordedDatagram& datagram, TimePoint now) {
     std::copy_n(datagram.from.address.begin(), from.address.size(), from.address.begin());
     from.port = datagram.from.port;
     artNet_.receive(datagram.bytes, from, now, merger_);
-    while (artNet_.takeDueReply(now)) {
-    }
 }
 
 bool ReplayState::playUsb(std::span<const std::uint8_t> bytes, TimePoint now) {
@@ -89,13 +100,13 @@ void ReplayState::playFrame(const RecordedFrame& frame, TimePoint now) {
 }
 
 void ReplayState::latch(UniverseSet& out, RecordingTime now) {
-    artNet_.advance(timePointOf(now), merger_);
+    ageTo(timePointOf(now));
     merger_.expire(timePointOf(now));
     merger_.latch(out, timePointOf(now));
 }
 
 std::vector<UniverseStatus> ReplayState::status(RecordingTime now) {
-    artNet_.advance(timePointOf(now), merger_);
+    ageTo(timePointOf(now));
     merger_.expire(timePointOf(now));
     return merger_.status(timePointOf(now));
 }

@@ -51,6 +51,7 @@ class ReplayState {
     // Far enough from 0 that "an hour ago" is no negative time.
     static constexpr TimePoint kStart{std::chrono::hours(1)};
 
+    void ageTo(TimePoint now);
     void playDatagram(const RecordedDatagram& datagram, TimePoint now);
     void playArtNet(const RecordedDatagram& datagram, TimePoint now);
     bool playUsb(std::span<const std::uint8_t> bytes, TimePoint now);

@@ -39,4 +39,15 @@ std::optional<UsbFrame> unwrapUsbFrame(const SacnData& data) {
     return frame;
 }
 
+void UsbRecording::record(UniverseId universe, std::span<const std::uint8_t> slots, WallTime time) {
+    if (universe.number == 0 || universe.number > kMaxSacnUniverse) return;
+    const auto high = static_cast<std::uint8_t>(universe.number >> 8);
+    const auto low = static_cast<std::uint8_t>(universe.number & 0xFF);
+    const IpEndpoint from{{127, 0, 0, 1}, false, kSacnPort};
+    const IpEndpoint group{{239, 255, high, low}, false, kSacnPort};
+    const UsbFrame frame{.line = universe.number, .name = "USB DMX", .slots = slots};
+    const std::vector<std::uint8_t> bytes = wrapUsbFrame(frame, sequences_[universe]++);
+    recorder_.record({from, group, time, bytes});
+}
+
 }  // namespace hazer::protocol

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "protocol/datagram.h"
+#include "protocol/recording/recorder.h"
 #include "protocol/sacn.h"
 #include "protocol/universe_status.h"
 
@@ -29,5 +32,18 @@ bool isWrappedUsbFrame(std::span<const std::uint8_t> datagram);
 
 /// The frame within such a packet; nothing if a desk sent it.
 std::optional<UsbFrame> unwrapUsbFrame(const SacnData& data);
+
+/// Records what comes by USB, wrapped. Not thread-safe, as it is called from the one thread of USB.
+class UsbRecording {
+ public:
+    explicit UsbRecording(Recorder& recorder) : recorder_(recorder) {}
+
+    /// A frame of universe 1..63999; others are left out.
+    void record(UniverseId universe, std::span<const std::uint8_t> slots, WallTime time);
+
+ private:
+    Recorder& recorder_;
+    std::map<UniverseId, std::uint8_t> sequences_;
+};
 
 }  // namespace hazer::protocol

@@ -482,7 +482,7 @@ TEST_F(MergerTest, AnyTransportMergesTheSameNumberOfAll) {
     show(1.2, kDmx, 'A', {0, 20, 0, 0});
     EXPECT_THAT(look(1.5, kAny), ElementsAre(10, 20, 30, 0));
     EXPECT_EQ(statusAt(1.5, kAny).sources.size(), 3U);
-    EXPECT_TRUE(merger.isMerging(kAny));
+    EXPECT_TRUE(merger.isMerging(kAny, at(1.5)));
     show(1.6, kSacn, 'A', {0, 0, 30, 0}, 150);
     EXPECT_THAT(look(1.6, kAny), ElementsAre(0, 0, 30, 0)) << "Art-Net and DMX count with 100";
 }
@@ -502,7 +502,7 @@ TEST_F(MergerTest, AUniverseThatIsOnlyPartOfAnyIsSpokenOfAsTheWhole) {
     show(0, kArtNet, 'A', {10});
     show(0, kDmx, 'A', {0, 20});
     EXPECT_TRUE(merger.isLive(kArtNet));
-    EXPECT_TRUE(merger.isMerging(kArtNet));
+    EXPECT_TRUE(merger.isMerging(kArtNet, at(0)));
     merger.setMode(kArtNet, MergeMode::kLatest);
     EXPECT_EQ(merger.mode(kArtNet), MergeMode::kLatest);
     EXPECT_THAT(look(0, kAny), ElementsAre(0, 20, 0, 0));
@@ -515,7 +515,7 @@ TEST_F(MergerTest, AUniverseThatIsAskedForBesidesAnyHasItsOwnLook) {
     show(0, kDmx, 'A', {0, 20});
     EXPECT_THAT(look(0, kAny), ElementsAre(10, 20, 0, 0));
     EXPECT_THAT(look(0, kArtNet), ElementsAre(10, 0, 0, 0));
-    EXPECT_FALSE(merger.isMerging(kArtNet));
+    EXPECT_FALSE(merger.isMerging(kArtNet, at(0)));
     EXPECT_EQ(statusAt(0, kArtNet).sources.size(), 1U);
 }
 
@@ -528,7 +528,7 @@ TEST_F(MergerTest, CancelledMergingLeavesTheNextSenderAlone) {
     EXPECT_THAT(look(0, kArtNet), ElementsAre(50, 200, 0, 0));
     show(1, kArtNet, 'B', {50, 100});
     EXPECT_THAT(look(1, kArtNet), ElementsAre(50, 100, 0, 0));
-    EXPECT_FALSE(merger.isMerging(kArtNet));
+    EXPECT_FALSE(merger.isMerging(kArtNet, at(1)));
     show(2, kArtNet, 'A', {255, 255});
     EXPECT_THAT(look(2, kArtNet), ElementsAre(50, 100, 0, 0));
     for (const double s : {8.0, 12.0}) show(s, kArtNet, 'A', {255, 255});
