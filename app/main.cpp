@@ -53,6 +53,8 @@ int main(int argumentCount, char** arguments) {
     addReportCommand(program, chosen);
     addSendCommand(program, chosen);
     addMonitorCommand(program, chosen);
+    addRecordCommand(program, chosen);
+    addReplayCommand(program, chosen);
     addInspectCommand(program, chosen);
     addExplainCommand(program, chosen);
     try {

@@ -35,12 +35,29 @@ Session::Session(Show show, const SessionOptions& options)
         spdlog::warn("{}: {}", show_.file.string(), warning);
     for (const std::string& overlap : patch_.overlaps()) spdlog::warn("{}: {}", show_.file.string(), overlap);
     patch_.settle();
+    play(options);
     if (options.listen) inputs_.listen(options.ports);
+}
+
+void Session::play(const SessionOptions& options) {
+    std::vector<ShowRecording> recordings;
+    if (options.replay) {
+        recordings.push_back(*options.replay);
+    } else if (options.plays) {
+        recordings = show_.recordings;
+    }
+    for (const ShowRecording& recording : recordings) {
+        playbacks_.push_back(std::make_unique<Playback>(recording, patch_.universes(), options.scrubs));
+    }
 }
 
 void Session::advance(double dtS) {
     const protocol::TimePoint start = protocol::Clock::now();
     inputs_.latch(latched_, start);
+    for (const auto& playback : playbacks_) {
+        playback->advance(dtS);
+        playback->mergeInto(latched_, start);
+    }
     patch_.decode(latched_);
     patch_.step(dtS);
     timeS_ += dtS;

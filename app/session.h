@@ -8,6 +8,7 @@
 
 #include "app/inputs.h"
 #include "app/patch.h"
+#include "app/playback.h"
 #include "app/show.h"
 #include "app/staging.h"
 #include "protocol/universe_merger.h"
@@ -18,6 +19,9 @@ namespace hazer::app {
 struct SessionOptions {
     bool listen = false;  ///< Open the show's inputs (see Inputs::listen for a show without any).
     InputPorts ports{};   ///< Replace those of the show's inputs.
+    bool plays = true;    ///< Play the show's recordings.
+    bool scrubs = false;  ///< Prepare recordings for going anywhere in a moment.
+    std::optional<ShowRecording> replay{};  ///< Plays in place of the show's recordings.
 };
 
 /// How long the parts of the last frame took on the CPU.
@@ -71,7 +75,12 @@ class Session {
     /// The UDP port really bound for Art-Net; 0 if nothing listens to it.
     std::uint16_t port() const { return inputs_.port(); }
 
+    /// The recordings that play.
+    const std::vector<std::unique_ptr<Playback>>& playbacks() const { return playbacks_; }
+
  private:
+    void play(const SessionOptions& options);
+
     Show show_;
     Patch patch_;
     render::Renderer renderer_;
@@ -81,6 +90,7 @@ class Session {
     render::Settings settings_;
     Inputs inputs_;
     protocol::UniverseSet latched_;
+    std::vector<std::unique_ptr<Playback>> playbacks_;
     FrameTimes frameTimes_;
     double timeS_ = 0.0;
 };

@@ -213,11 +213,17 @@ void refuseRepeatedNames(const Show& show) {
 }
 
 void readLists(TomlReader& reader, Show& show) {
-    for (TomlReader& input : reader.tables("input")) show.inputs.push_back(readInput(input));
+    const std::filesystem::path folder = show.file.parent_path();
+    for (TomlReader& input : reader.tables("input")) {
+        if (isRecordingInput(input)) {
+            show.recordings.push_back(readRecording(input, folder));
+        } else {
+            show.inputs.push_back(readInput(input));
+        }
+    }
     refuseContradictions(show.inputs, show.file);
     for (TomlReader& camera : reader.tables("camera")) show.cameras.push_back(readCamera(camera));
     for (TomlReader& fixture : reader.tables("fixture")) show.fixtures.push_back(readFixture(fixture));
-    const std::filesystem::path folder = show.file.parent_path();
     for (TomlReader& light : reader.tables("light")) show.lights.push_back(readLight(light, folder));
     for (TomlReader& object : reader.tables("object")) {
         show.objects.push_back(readObject(object, folder));

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/show_input.h"
+#include "app/show_recording.h"
 #include "protocol/dmx.h"
 #include "render/scene.h"
 
@@ -95,6 +96,7 @@ struct Show {
     render::Ambient ambient;
     float exposureEv100 = 8.0f;
     std::vector<ShowInput> inputs;
+    std::vector<ShowRecording> recordings;
     std::vector<ShowCamera> cameras;  ///< Never empty: a show without any gets one named "default".
     std::vector<ShowFixture> fixtures;
     std::vector<ShowLight> lights;

@@ -10,7 +10,7 @@
 namespace hazer::app {
 namespace {
 
-const std::vector<std::string> kInputProtocols{"artnet", "sacn", "usb"};
+const std::vector<std::string> kInputProtocols{"artnet", "sacn", "usb", "file"};
 const std::vector<std::string> kMergeModes{"htp", "ltp"};  // in the order of protocol::MergeMode
 const std::vector<std::string> kPreviewRules{"both", "live", "preview"};  // of protocol::PreviewRule
 const std::vector<std::string> kLossRules{"hold", "fade"};

@@ -27,6 +27,8 @@ void addRenderCommand(CLI::App& program, Command& chosen);
 void addReportCommand(CLI::App& program, Command& chosen);
 void addSendCommand(CLI::App& program, Command& chosen);
 void addMonitorCommand(CLI::App& program, Command& chosen);
+void addRecordCommand(CLI::App& program, Command& chosen);
+void addReplayCommand(CLI::App& program, Command& chosen);
 void addInspectCommand(CLI::App& program, Command& chosen);
 void addExplainCommand(CLI::App& program, Command& chosen);
 

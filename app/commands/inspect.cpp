@@ -1,4 +1,4 @@
-// hazer inspect: what is in a fixture file or a show.
+// hazer inspect: what is in a fixture file, a show or a recording.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,9 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
+#include "app/commands/recording_options.h"
 #include "app/fixture_library.h"
 #include "app/inspection.h"
+#include "app/recording_summary.h"
 #include "fixtures/gdtf.h"
+#include "protocol/recording/recording_player.h"
 
 namespace hazer::app {
 namespace {
@@ -16,6 +19,8 @@ namespace {
 struct InspectOptions {
     std::string file;
     bool isJson = false;
+    std::optional<std::chrono::nanoseconds> moment;  ///< Of a recording; its end unless given.
+    protocol::FrameMap map;
 };
 
 /// Names come from other people's files: what is not UTF-8 in them must not end the program.
@@ -37,9 +42,37 @@ std::string inspectFixtureType(const InspectOptions& options) {
     return options.isJson ? printable(describeFixtureType(*type)) : summarizeFixtureType(*type);
 }
 
+double secondsOf(std::chrono::nanoseconds time) {
+    return std::chrono::duration<double>(time).count();
+}
+
+/// Goes to the moment that is asked about and returns the duration, which a capture tells only when it has
+/// been read to its end.
+double goTo(const std::optional<std::chrono::nanoseconds>& moment, protocol::RecordingPlayer& player) {
+    player.goToEnd();
+    for (const std::string& warning : player.warnings()) fmt::print(stderr, "hazer: warning: {}\n", warning);
+    const double durationS = secondsOf(player.time());
+    if (moment) player.goTo(*moment);
+    return durationS;
+}
+
+std::string inspectRecording(const InspectOptions& options) {
+    const protocol::ReplayRules rules{.fileName = std::filesystem::path(options.file).filename().string()};
+    protocol::RecordingPlayer player(options.file, options.map, rules,
+                                     protocol::RecordingPlayer::Indexing::kNone);
+    const double durationS = goTo(options.moment, player);
+    return options.isJson ? printable(describeRecording(player, durationS))
+                          : summarizeRecording(player, durationS);
+}
+
+std::string inspectFile(const InspectOptions& options) {
+    if (std::filesystem::path(options.file).extension() == ".toml") return inspectShow(options);
+    if (protocol::isRecording(options.file)) return inspectRecording(options);
+    return inspectFixtureType(options);
+}
+
 int runInspect(const InspectOptions& options) {
-    const bool isShow = std::filesystem::path(options.file).extension() == ".toml";
-    fmt::print("{}", isShow ? inspectShow(options) : inspectFixtureType(options));
+    fmt::print("{}", inspectFile(options));
     return kExitOk;
 }
 
@@ -47,16 +80,22 @@ int runInspect(const InspectOptions& options) {
 
 void addInspectCommand(CLI::App& program, Command& chosen) {
     auto options = std::make_shared<InspectOptions>();
-    CLI::App* command = program.add_subcommand("inspect", "Say what is in a fixture file (GDTF) or a show.");
+    CLI::App* command =
+        program.add_subcommand("inspect", "Say what is in a fixture file (GDTF), a show or a recording.");
     beginHelpWith(*command,
                   "  hazer inspect myshow.toml            which fixture listens to which slots\n"
                   "  hazer inspect fixture.gdtf           modes, channels and wheels\n"
-                  "  hazer inspect moving-spot --json     a fixture that comes with hazer, for machines\n");
+                  "  hazer inspect moving-spot --json     a fixture that comes with hazer, for machines\n"
+                  "  hazer inspect night.pcap --at 1:20   what stood on the network at that moment\n");
     command
-        ->add_option("FILE", options->file,
-                     "A show (.toml), a .gdtf file or its unpacked folder, or a fixture of hazer's library")
+        ->add_option(
+            "FILE", options->file,
+            "A show (.toml), a .gdtf file or its unpacked folder, a fixture of hazer's library, or a "
+            "recording (pcap, pcapng, OLA show file, FSEQ)")
         ->required();
     command->add_flag("--json", options->isJson, "Print JSON");
+    addMomentOption(*command, "--at", options->moment, "The moment of a recording; its end unless given");
+    addFrameMapOptions(*command, options->map, protocol::Transport::kDmx, true);
     command->callback([options, &chosen] { chosen = [options] { return runInspect(*options); }; });
 }
 

@@ -24,7 +24,8 @@ int runLive(const LiveOptions& options) {
     const std::filesystem::path file =
         options.show.empty() ? showFolder() / "one-spot.toml" : std::filesystem::path(options.show);
     const auto setQuality = [&](Session& session) { session.settings().maxError = options.maxError; };
-    return showInWindow(loadShow(file), {.listen = true, .ports = options.ports}, setQuality, options.frames);
+    return showInWindow(loadShow(file), {.listen = true, .ports = options.ports, .scrubs = true}, setQuality,
+                        options.frames);
 }
 
 }  // namespace

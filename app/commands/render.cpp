@@ -15,6 +15,7 @@
 #include "app/commands/integrator_option.h"
 #include "app/commands/max_error_option.h"
 #include "app/commands/port_options.h"
+#include "app/commands/recording_options.h"
 #include "app/commands/size_option.h"
 #include "app/film.h"
 #include "app/interrupt.h"
@@ -41,6 +42,9 @@ struct RenderOptions {
     std::string view = "light";
     double maxError = 0.0;
     bool hasNoBloom = false;
+    std::string replay;
+    protocol::FrameMap replayMap;
+    std::optional<std::chrono::nanoseconds> replayFrom;
     double timeS = 0.0;
     double seconds = 0.0;  // 0: a still
     double framesPerS = 25.0;
@@ -158,6 +162,15 @@ void renderAsAsked(Session& session, const RenderOptions& options) {
     }
 }
 
+SessionOptions sessionOptionsFrom(const RenderOptions& options) {
+    SessionOptions session{.listen = options.listenS > 0.0, .ports = options.ports};
+    if (options.replay.empty()) return session;
+    session.replay = ShowRecording{.file = options.replay,
+                                   .map = options.replayMap,
+                                   .from = options.replayFrom.value_or(protocol::RecordingTime(0))};
+    return session;
+}
+
 int runRender(RenderOptions options) {
     if (options.view != "light" && outputKind(options.out) == OutputKind::kFilm) {
         fmt::print(stderr, "hazer: --view {} is a picture; give --out a name that ends in .png or .exr\n",
@@ -168,7 +181,7 @@ int runRender(RenderOptions options) {
     // A film needs a length; a still has none.
     if (outputKind(options.out) == OutputKind::kFilm && options.seconds == 0.0) options.seconds = 10.0;
     const render::gl::HeadlessContext context;
-    Session session(std::move(show), {.listen = options.listenS > 0.0, .ports = options.ports});
+    Session session(std::move(show), sessionOptionsFrom(options));
     applySettings(options, session);
     listenFor(options.listenS);
     session.advance(0.0);
@@ -217,6 +230,11 @@ void addInputOptions(CLI::App& command, RenderOptions& options) {
         ->check(checkAssignment);
     command.add_option("--listen", options.listenS, "Listen so many seconds, then draw what stands")
         ->check(numberFrom(0.001, 86400.0));
+    command.add_option(
+        "--replay", options.replay,
+        "A recording that plays in place of those of the show: pcap, pcapng, OLA show file, FSEQ");
+    addMomentOption(command, "--from", options.replayFrom, "Where the recording begins; 0 unless given");
+    addFrameMapOptions(command, options.replayMap, protocol::Transport::kArtNet, true);
     addPortOptions(command, options.ports);
 }
 
@@ -232,6 +250,7 @@ void addRenderCommand(CLI::App& program, Command& chosen) {
         "  hazer render myshow.toml --set spot1.Dimmer=1 --set spot1.Tilt=30 --out look.exr\n"
         "  hazer render myshow.toml --listen 2 --out now.png               what the desk sends now\n"
         "  hazer render myshow.toml --seconds 4 --out haze.mp4             a film\n"
+        "  hazer render myshow.toml --replay night.pcap --from 1:20        what stood then\n"
         "  hazer render myshow.toml --seconds 4 --out frames/haze_%04d.png numbered frames\n");
     command->add_option("SHOW", options->show, "The show file (.toml)")->required();
     addPictureOptions(*command, *options);

@@ -7,6 +7,7 @@
 #include "app/panels/fixture_list.h"
 #include "app/panels/network_panel.h"
 #include "app/panels/picture_panel.h"
+#include "app/panels/player_panel.h"
 #include "app/panels/scene_panel.h"
 #include "app/panels/timing_panel.h"
 #include "app/panels/usb_panel.h"
@@ -50,6 +51,7 @@ void drawSceneColumn(Session& session, WindowState& state) {
     if (beginSection("Picture")) drawPictureControls(session.settings(), state.resolution);
     if (beginSection("Camera")) drawCameraControls(session.show(), state);
     if (beginSection("Times")) drawTimings(session, state.frameTimes);
+    if (!session.playbacks().empty() && beginSection("Recordings")) drawPlayers(session);
     if (beginSection("Network")) drawNetwork(session);
     if (!session.inputs().usbDevices().empty() && beginSection("USB")) drawUsb(session);
     ImGui::PopItemWidth();

@@ -65,6 +65,42 @@ TEST_F(RenderTest, writesErrorAndCostInsteadOfLight) {
     }
 }
 
+// A recording plays in the time of the film: dark for a second, then lit, and the same every time.
+TEST_F(RenderTest, playsARecordingTheSameEveryTime) {
+    const std::string night =
+        folder_.write("night.show", "OLA Show\n1 0\n1000\n1 128,0,128,0,255,255,255,128,0,128\n").string();
+    const auto drawn = [&](const std::string& from, const std::string& name) {
+        const std::vector<std::string> arguments{"--replay", night,   "--first-universe", "0", "--from",
+                                                 from,       "--out", fileIn(name)};
+        const test::ProcessResult result = render(kOneSpot, arguments);
+        EXPECT_EQ(result.exitCode, 0) << result.errors;
+        return render::readFloatImage(fileIn(name));
+    };
+    EXPECT_EQ(brightest(drawn("0.9", "a.exr")), 0.0);
+    const render::FloatImage lit = drawn("1", "b.exr");
+    EXPECT_GT(brightest(lit), 10.0);
+    EXPECT_EQ(drawn("1", "c.exr").rgb, lit.rgb);
+}
+
+TEST_F(RenderTest, playsTheRecordingOfAShow) {
+    folder_.write("night.show", "OLA Show\n1 128,0,128,0,255,255,255,128,0,128\n");
+    const std::string show =
+        folder_
+            .write("a.toml",
+                   "[[input]]\nprotocol = \"file\"\npath = \"night.show\"\nfirst_universe = 0\n"
+                   "[[fixture]]\nname = \"a\"\ngdtf = \"moving-spot\"\nmode = \"Standard\"\n"
+                   "universe = 0\nslot = 1\nposition = [0.0, 0.0, 6.0]\n"
+                   "[[object]]\ntype = \"floor\"\n")
+            .string();
+    const test::ProcessResult result = render(show, {"--out", fileIn("a.exr")});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_GT(brightest(render::readFloatImage(fileIn("a.exr"))), 1.0);
+    std::filesystem::remove(folder_.path() / "night.show");
+    const test::ProcessResult absent = render(show, {"--out", fileIn("b.exr")});
+    EXPECT_EQ(absent.exitCode, 2);
+    EXPECT_THAT(absent.errors, HasSubstr("night.show: the recording cannot be read"));
+}
+
 TEST_F(RenderTest, refusesAFilmOfAView) {
     EXPECT_EQ(render(kOneSpot, {"--view", "cost", "--out", fileIn("a.mp4")}).exitCode, 1);
 }
