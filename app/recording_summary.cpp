@@ -4,23 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/universe_name.h"
+
 namespace hazer::app {
 namespace {
 
 using nlohmann::ordered_json;
-
-const char* protocolName(protocol::Transport transport) {
-    switch (transport) {
-        case protocol::Transport::kArtNet:
-            return "artnet";
-        case protocol::Transport::kSacn:
-            return "sacn";
-        case protocol::Transport::kDmx:
-        case protocol::Transport::kAny:
-            break;
-    }
-    return "dmx";
-}
 
 /// Art-Net names its sources by their address alone.
 std::string addressOf(const protocol::SourceStatus& source) {
@@ -29,7 +18,7 @@ std::string addressOf(const protocol::SourceStatus& source) {
     return fmt::format("{}.{}.{}.{}", id[0], id[1], id[2], id[3]);
 }
 
-ordered_json describeUniverse(const protocol::UniverseStatus& universe) {
+ordered_json describeStatus(const protocol::UniverseStatus& universe) {
     ordered_json sources = ordered_json::array();
     for (const protocol::SourceStatus& source : universe.sources) {
         sources.push_back(
@@ -55,7 +44,7 @@ std::string summarizeSource(const protocol::SourceStatus& source) {
 nlohmann::ordered_json describeRecording(protocol::RecordingPlayer& player, double durationS) {
     ordered_json universes = ordered_json::array();
     for (const protocol::UniverseStatus& universe : player.status()) {
-        universes.push_back(describeUniverse(universe));
+        universes.push_back(describeStatus(universe));
     }
     return {{"duration_s", durationS},
             {"packets", player.packetCount()},

@@ -9,9 +9,9 @@
 namespace hazer::app {
 namespace {
 
-// In the order of kTransports.
-const std::vector<std::string> kProtocols{"artnet", "sacn", "dmx"};
-constexpr std::array kTransports{protocol::Transport::kArtNet, protocol::Transport::kSacn,
+// In the order of kFrameTransports.
+const std::vector<std::string> kFrameProtocols{"artnet", "sacn", "dmx"};
+constexpr std::array kFrameTransports{protocol::Transport::kArtNet, protocol::Transport::kSacn,
                                  protocol::Transport::kDmx};
 
 }  // namespace
@@ -23,7 +23,7 @@ bool isRecordingInput(TomlReader& input) {
 ShowRecording readRecording(TomlReader& reader, const std::filesystem::path& folder) {
     ShowRecording recording;
     recording.file = folder / reader.requiredText("path");
-    recording.map.transport = kTransports[reader.choice("as", kProtocols, 0)];
+    recording.map.transport = kFrameTransports[reader.choice("as", kFrameProtocols, 0)];
     recording.map.firstUniverse =
         static_cast<std::uint16_t>(reader.integer("first_universe", recording.map.firstUniverse, {0, 65535}));
     recording.map.slotsPerUniverse = static_cast<std::uint16_t>(

@@ -501,7 +501,7 @@ TEST_F(MergerTest, AUniverseThatIsOnlyPartOfAnyIsSpokenOfAsTheWhole) {
     merger.ask(kAny);
     show(0, kArtNet, 'A', {10});
     show(0, kDmx, 'A', {0, 20});
-    EXPECT_TRUE(merger.isLive(kArtNet));
+    EXPECT_TRUE(merger.isLive(kArtNet, at(0)));
     EXPECT_TRUE(merger.isMerging(kArtNet, at(0)));
     merger.setMode(kArtNet, MergeMode::kLatest);
     EXPECT_EQ(merger.mode(kArtNet), MergeMode::kLatest);
