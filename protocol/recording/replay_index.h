@@ -26,7 +26,7 @@ class ReplayIndex {
     /// Packets from key frame to key frame at first. Playing so many takes a few milliseconds.
     static constexpr std::uint64_t kFirstDistance = 4096;
 
-    static constexpr std::size_t kMostKeyFrames = 1024;
+    static constexpr std::size_t kMostKeyFrames = 2048;
     static constexpr std::size_t kMostBytes = 256u * 1024u * 1024u;
 
     /// Whether a key frame is due after so many packets.
