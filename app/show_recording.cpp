@@ -12,7 +12,7 @@ namespace {
 // In the order of kFrameTransports.
 const std::vector<std::string> kFrameProtocols{"artnet", "sacn", "dmx"};
 constexpr std::array kFrameTransports{protocol::Transport::kArtNet, protocol::Transport::kSacn,
-                                 protocol::Transport::kDmx};
+                                      protocol::Transport::kDmx};
 
 }  // namespace
 

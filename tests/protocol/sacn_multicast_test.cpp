@@ -204,9 +204,8 @@ TEST_F(SacnMulticast, ListensOnTheChosenInterfaceOnly) {
             right.sendDue(Clock::now());
             return receiver->counters().levels > 3;
         }));
-        for (const SourceStatus& source : store.status(Clock::now())[0].sources) {
-            EXPECT_EQ(source.address, "10.79.0.1");
-        }
+        const std::vector<UniverseStatus> status = store.status(Clock::now());
+        for (const SourceStatus& source : status[0].sources) EXPECT_EQ(source.address, "10.79.0.1");
     }
     ip("link del side0");
 }
