@@ -71,7 +71,8 @@ class Network {
     SourceStatus source(std::uint8_t cid) {
         SourceId id{Transport::kSacn, {}};
         id.id.fill(cid);
-        for (const SourceStatus& one : status().sources) {
+        const std::vector<SourceStatus> sources = status().sources;
+        for (const SourceStatus& one : sources) {
             if (one.id == id) return one;
         }
         ADD_FAILURE() << "no source " << int{cid};
