@@ -71,8 +71,7 @@ class Network {
     SourceStatus source(std::uint8_t cid) {
         SourceId id{Transport::kSacn, {}};
         id.id.fill(cid);
-        const std::vector<SourceStatus> sources = status().sources;
-        for (const SourceStatus& one : sources) {
+        for (const SourceStatus& one : status().sources) {
             if (one.id == id) return one;
         }
         ADD_FAILURE() << "no source " << int{cid};
