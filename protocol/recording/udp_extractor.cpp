@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
+#include "protocol/artnet.h"
 #include "protocol/byte_reader.h"
+#include "protocol/sacn.h"
 
 namespace hazer::protocol {
 namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-constexpr std::uint16_t kArtNetPort = 6454;
-constexpr std::uint16_t kSacnPort = 5568;
 constexpr std::uint8_t kUdp = 17;
 constexpr std::size_t kUdpHeaderSize = 8;
 constexpr std::size_t kMaxDatagramSize = 65535;
