@@ -6,18 +6,11 @@
 
 #include <algorithm>
 
+#include "app/show_universes.h"
 #include "app/usb_inputs.h"
 
 namespace hazer::app {
 namespace {
-
-std::vector<protocol::UniverseId> universesOf(const Show& show) {
-    std::vector<protocol::UniverseId> universes;
-    for (const ShowFixture& fixture : show.fixtures) universes.push_back(fixture.universe);
-    std::ranges::sort(universes);
-    universes.erase(std::unique(universes.begin(), universes.end()), universes.end());
-    return universes;
-}
 
 bool isPatchedTo(protocol::Transport transport, const Show& show) {
     return std::ranges::any_of(show.fixtures, [&](const ShowFixture& fixture) {
@@ -109,28 +102,17 @@ protocol::ReceiverConfig Inputs::artNetConfig(const ShowInput& input) const {
     protocol::ReceiverConfig config;
     config.address = input.address;
     config.isProgrammable = input.isProgrammable;
-    config.portAddresses = numbersOf(protocol::Transport::kArtNet, 0, protocol::kMaxPortAddress);
+    config.portAddresses = numbersOn(protocol::Transport::kArtNet, universes_);
     return config;
 }
 
 protocol::SacnReceiverConfig Inputs::sacnConfig(const ShowInput& input) const {
     protocol::SacnReceiverConfig config;
-    config.universes = numbersOf(protocol::Transport::kSacn, 1, protocol::kMaxSacnUniverse);
+    config.universes = numbersOn(protocol::Transport::kSacn, universes_);
     config.interface = input.interface;
     config.preview = input.preview;
     config.notice = [](const std::string& sentence) { spdlog::warn("{}", sentence); };
     return config;
-}
-
-std::vector<std::uint16_t> Inputs::numbersOf(protocol::Transport transport, std::uint16_t first,
-                                             std::uint16_t last) const {
-    std::vector<std::uint16_t> numbers;
-    for (const protocol::UniverseId universe : universes_) {
-        const bool isOurs =
-            universe.transport == transport || universe.transport == protocol::Transport::kAny;
-        if (isOurs && universe.number >= first && universe.number <= last) numbers.push_back(universe.number);
-    }
-    return numbers;
 }
 
 protocol::ArtNetStatus Inputs::artNet() const {

@@ -56,8 +56,6 @@ class Inputs {
     void listenToUsb();
     protocol::ReceiverConfig artNetConfig(const ShowInput& input) const;
     protocol::SacnReceiverConfig sacnConfig(const ShowInput& input) const;
-    std::vector<std::uint16_t> numbersOf(protocol::Transport transport, std::uint16_t first,
-                                         std::uint16_t last) const;
 
     std::string file_;  ///< Of the show, for warnings.
     std::vector<ShowInput> inputs_;

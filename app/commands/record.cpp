@@ -13,8 +13,7 @@
 #include "app/commands/command.h"
 #include "app/interrupt.h"
 #include "app/moment.h"
-#include "app/patch.h"
-#include "app/show.h"
+#include "app/show_universes.h"
 #include "app/status_line.h"
 #include "protocol/receiver.h"
 #include "protocol/recording/recorder.h"
@@ -37,20 +36,9 @@ struct RecordOptions {
     bool isJson = false;
 };
 
-std::vector<std::uint16_t> numbersOf(const std::vector<protocol::UniverseId>& universes,
-                                     protocol::Transport transport) {
-    std::vector<std::uint16_t> numbers;
-    for (const protocol::UniverseId& universe : universes) {
-        if (universe.transport == transport || universe.transport == protocol::Transport::kAny) {
-            numbers.push_back(universe.number);
-        }
-    }
-    return numbers;
-}
-
-std::vector<protocol::UniverseId> universesOf(const RecordOptions& options) {
+std::vector<protocol::UniverseId> wantedBy(const RecordOptions& options) {
     std::vector<protocol::UniverseId> universes;
-    if (!options.show.empty()) universes = Patch(loadShow(options.show)).universes();
+    if (!options.show.empty()) universes = universesOf(loadShow(options.show));
     for (const std::uint16_t number : options.sacnUniverses) {
         universes.push_back({protocol::Transport::kSacn, number});
     }
@@ -62,15 +50,15 @@ class Sources {
  public:
     Sources(const RecordOptions& options, protocol::Recorder& recorder) : usbRecording_(recorder) {
         const auto tap = [&recorder](const protocol::Datagram& datagram) { recorder.record(datagram); };
-        const std::vector<protocol::UniverseId> universes = universesOf(options);
+        const std::vector<protocol::UniverseId> universes = wantedBy(options);
         protocol::ReceiverConfig artNet;
         artNet.port = options.port.value_or(artNet.port);
-        artNet.portAddresses = numbersOf(universes, protocol::Transport::kArtNet);
+        artNet.portAddresses = numbersOn(protocol::Transport::kArtNet, universes);
         artNet.tap = tap;
         artNet_.emplace(artNet, store_);
         protocol::SacnReceiverConfig sacn;
         sacn.port = options.sacnPort.value_or(sacn.port);
-        sacn.universes = numbersOf(universes, protocol::Transport::kSacn);
+        sacn.universes = numbersOn(protocol::Transport::kSacn, universes);
         sacn.tap = tap;
         sacn.notice = [](const std::string& sentence) { spdlog::warn("{}", sentence); };
         sacn_.emplace(sacn, store_);
