@@ -80,8 +80,13 @@ std::optional<render::Beam> beamFromState(const fixtures::BeamState& state) {
     beam.edge = edgeOf(beam.beamAngleRad, beam.fieldAngleRad);
     beam.fluxLm = fluxLm;
     beam.color = lightColorFromXyz(state.colorXyz);
-    beam.goboRotationRad = glm::radians(state.goboRotationDeg);
-    if (state.focus) beam.focusDistanceM = focusDistanceM(*state.focus);
+    const fixtures::GoboState* const gobo = state.firstGobo();
+    beam.goboRotationRad = glm::radians((gobo != nullptr ? *gobo : state.gobos.front()).rotationDeg);
+    if (state.focusDistanceM) {
+        beam.focusDistanceM = std::clamp(*state.focusDistanceM, 0.0, kFarthestFocusM);
+    } else if (state.focus) {
+        beam.focusDistanceM = focusDistanceM(*state.focus);
+    }
     return beam;
 }
 
@@ -91,7 +96,7 @@ void Rig::append(const fixtures::FixtureState& state, render::Scene& scene) {
     for (const fixtures::BeamState& lamp : state.beams) {
         std::optional<render::Beam> beam = beamFromState(lamp);
         if (!beam) continue;
-        if (lamp.gobo != nullptr) beam->gobo = goboFor(lamp.gobo);
+        if (const fixtures::GoboState* gobo = lamp.firstGobo()) beam->gobo = goboFor(gobo->image);
         scene.beams.push_back(*beam);
     }
     for (const fixtures::PartState& part : state.parts) {

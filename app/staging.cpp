@@ -28,7 +28,10 @@ render::Scene Staging::scene(const Patch& patch, const SceneControls& controls, 
         instance.material.specular = controls.specular.value_or(instance.material.specular);
         instance.material.shininess = controls.shininess.value_or(instance.material.shininess);
     }
-    for (const PatchedFixture& patched : patch.fixtures()) rig_.append(patched.fixture.state(), scene);
+    for (const PatchedFixture& patched : patch.fixtures()) {
+        patched.fixture.state(state_);
+        rig_.append(state_, scene);
+    }
     return scene;
 }
 

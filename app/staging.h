@@ -40,6 +40,7 @@ class Staging {
     Rig rig_;
     SetDressing dressing_;
     std::vector<render::Beam> lights_;  ///< Those that no fixture carries.
+    fixtures::FixtureState state_;  ///< Of one fixture after the other; kept so that frames allocate less.
 };
 
 }  // namespace hazer::app

@@ -1,5 +1,7 @@
 #include "app/window_faders.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,13 +28,33 @@ constexpr std::array kFaderKinds{
     FaderKind{AttributeKind::kStrobe, FaderGroup::kIntensity, "strobe", "Hz"},
     FaderKind{AttributeKind::kPan, FaderGroup::kPosition, "pan", "deg"},
     FaderKind{AttributeKind::kTilt, FaderGroup::kPosition, "tilt", "deg"},
+    FaderKind{AttributeKind::kPanRotate, FaderGroup::kPosition, "pan spin", "deg/s"},
+    FaderKind{AttributeKind::kTiltRotate, FaderGroup::kPosition, "tilt spin", "deg/s"},
     FaderKind{AttributeKind::kZoom, FaderGroup::kBeam, "zoom", "deg"},
     FaderKind{AttributeKind::kFocus, FaderGroup::kBeam, "focus", "%"},
+    FaderKind{AttributeKind::kIris, FaderGroup::kBeam, "iris", "%"},
+    FaderKind{AttributeKind::kFrost, FaderGroup::kBeam, "frost", "%"},
+    FaderKind{AttributeKind::kPrism, FaderGroup::kBeam, "prism", ""},
+    FaderKind{AttributeKind::kPrismPos, FaderGroup::kBeam, "prism angle", "deg"},
+    FaderKind{AttributeKind::kPrismPosRotate, FaderGroup::kBeam, "prism spin", "deg/s"},
+    FaderKind{AttributeKind::kBladeA, FaderGroup::kBeam, "", "%"},
+    FaderKind{AttributeKind::kBladeB, FaderGroup::kBeam, "", "%"},
+    FaderKind{AttributeKind::kBladeRot, FaderGroup::kBeam, "", "deg"},
+    FaderKind{AttributeKind::kShaperRot, FaderGroup::kBeam, "frame angle", "deg"},
+    FaderKind{AttributeKind::kAnimation, FaderGroup::kGobo, "animation", ""},
+    FaderKind{AttributeKind::kAnimationPos, FaderGroup::kGobo, "animation angle", "deg"},
+    FaderKind{AttributeKind::kAnimationPosRotate, FaderGroup::kGobo, "animation spin", "deg/s"},
     FaderKind{AttributeKind::kGoboWheel, FaderGroup::kGobo, "gobo", ""},
     FaderKind{AttributeKind::kGoboPos, FaderGroup::kGobo, "gobo angle", "deg"},
     FaderKind{AttributeKind::kGoboPosRotate, FaderGroup::kGobo, "gobo spin", "deg/s"},
     FaderKind{AttributeKind::kColorAdd, FaderGroup::kColor, "", "%"},
     FaderKind{AttributeKind::kColorSub, FaderGroup::kColor, "", "%"},
+    FaderKind{AttributeKind::kColorRgb, FaderGroup::kColor, "", "%"},
+    FaderKind{AttributeKind::kHue, FaderGroup::kColor, "hue", "deg"},
+    FaderKind{AttributeKind::kSaturation, FaderGroup::kColor, "saturation", "%"},
+    FaderKind{AttributeKind::kCto, FaderGroup::kColor, "CTO", ""},
+    FaderKind{AttributeKind::kCtb, FaderGroup::kColor, "CTB", ""},
+    FaderKind{AttributeKind::kCtc, FaderGroup::kColor, "CTC", ""},
     FaderKind{AttributeKind::kColorWheel, FaderGroup::kColor, "colour wheel", ""},
 };
 
@@ -49,7 +71,10 @@ constexpr std::array kColorLabels{
 };
 
 std::string labelOf(const FaderKind& kind, const std::string& attribute) {
-    if (!kind.label.empty()) return std::string(kind.label);
+    if (!kind.label.empty()) {
+        const int number = fixtures::attributeOf(attribute).number;
+        return number > 1 ? fmt::format("{} {}", kind.label, number) : std::string(kind.label);
+    }
     const auto found = std::find_if(kColorLabels.begin(), kColorLabels.end(),
                                     [&](const ColorLabel& label) { return label.attribute == attribute; });
     return found == kColorLabels.end() ? attribute : std::string(found->label);

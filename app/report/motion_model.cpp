@@ -49,7 +49,7 @@ class FixtureWheel : public WheelModel {
         fixture_.hold(kRotation, degPerS);
     }
     void step(double dtS) override { fixture_.step(dtS); }
-    double angleDeg() const override { return fixture_.state().beams.front().goboRotationDeg; }
+    double angleDeg() const override { return fixture_.state().beams.front().gobos.front().rotationDeg; }
 
  private:
     fixtures::Fixture fixture_;

@@ -44,7 +44,7 @@ TEST(BeamFromState, carriesPoseAndOptics) {
     state.lensRadiusM = 0.07;
     state.beamAngleDeg = 10.0;
     state.fieldAngleDeg = 20.0;
-    state.goboRotationDeg = 45.0;
+    state.gobos[0].rotationDeg = 45.0;
     const auto beam = beamFromState(state);
     ASSERT_TRUE(beam);
     EXPECT_EQ(beam->lensPositionM, glm::dvec3(1.0, 2.0, 3.0));
