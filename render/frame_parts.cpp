@@ -268,7 +268,8 @@ FramePart gobos(const SummaryInputs& in) {
     const std::size_t count = countLit(in, [](const Beam& beam) { return beam.gobo >= 0; });
     FramePart part = named("gobos", usesFeature(in.plan, kFeatureGobo));
     if (part.needed) {
-        part.reason = ofLit(count, in, "has", "have", "a gobo");
+        part.reason = count > 0 ? ofLit(count, in, "has", "have", "a gobo")
+                                : "composed apertures are looked at like gobos";
     } else if (in.plan.lit.empty()) {
         part.reason = kNoLampIsLit;
     } else if (count == 0) {
@@ -279,7 +280,34 @@ FramePart gobos(const SummaryInputs& in) {
     }
     part.features = featureDefines(kFeatureGobo);
     part.resources.textures = {withMipLevels(
-        texture("gobos", kGoboSize, kGoboSize, kRgba8, std::max(in.assets.gobos, 1)), kGoboLevels)};
+        texture("gobos", kGoboSize, kGoboSize, kRgba8,
+                std::max(in.assets.gobos + static_cast<int>(in.plan.apertures.composed.size()), 1)),
+        kGoboLevels)};
+    return part;
+}
+
+std::string whyApertures(const SummaryInputs& in) {
+    const std::vector<int>& ofBeam = in.plan.apertures.ofBeam;
+    const auto isComposed = [](int picture) { return picture >= 0; };
+    const auto beams = static_cast<std::size_t>(std::ranges::count_if(ofBeam, isComposed));
+    std::string reason = ofLit(beams, in, "has", "have", "more than a gobo in the way");
+    const std::size_t leftOut = in.plan.apertures.leftOut.size();
+    if (leftOut > 0)
+        reason += fmt::format("; {}, for want of memory",
+                              counted(leftOut, "further one shines without", "further ones shine without"));
+    return reason;
+}
+
+FramePart apertures(const SummaryInputs& in) {
+    FramePart part = named("composed apertures", !in.plan.apertures.composed.empty());
+    part.reason = part.needed           ? whyApertures(in)
+                  : in.plan.lit.empty() ? kNoLampIsLit
+                  : in.settings.gobos
+                      ? "no lit lamp that is seen has more in its way than a gobo or an iris alone"
+                      : "gobos are switched off";
+    part.passes = {"apertures"};
+    part.resources.shaders = {"aperture.frag"};
+    part.resources.textures = {withMipLevels(texture("aperture", kGoboSize, kGoboSize, kRgba8), kGoboLevels)};
     return part;
 }
 
@@ -448,10 +476,11 @@ FramePart darkLamps(const SummaryInputs& in) {
 
 std::vector<FramePart> frameParts(const SummaryInputs& in) {
     return {
-        picture(in),    bodies(in),    background(in), meshes(in),         surfaceLight(in),   air(in),
-        airGrid(in),    thinBeams(in), noise(in),      uniformSamples(in), profile(in),        gobos(in),
-        goboTables(in), webs(in),      shadows(in),    wideLamps(in),      lampsBackwards(in), lines(in),
-        lenses(in),     bloom(in),     darkLamps(in),
+        picture(in), bodies(in),    background(in),     meshes(in),     surfaceLight(in),
+        air(in),     airGrid(in),   thinBeams(in),      noise(in),      uniformSamples(in),
+        profile(in), gobos(in),     apertures(in),      goboTables(in), webs(in),
+        shadows(in), wideLamps(in), lampsBackwards(in), lines(in),      lenses(in),
+        bloom(in),   darkLamps(in),
     };
 }
 

@@ -42,6 +42,7 @@ struct Formulas : Surroundings {
         Surroundings::placeSeesLamp, Surroundings::placeWeight, Surroundings::profileRule,
         Surroundings::seesLamp, Surroundings::shadePlace;
     static constexpr Real PI = Real(3.14159265358979323846);
+#include "shaders/include/aperture.glsl"
 #include "shaders/include/beam_profile.glsl"
 #include "shaders/include/beam_ray.glsl"
 #include "shaders/include/gauss_legendre.glsl"

@@ -9,10 +9,12 @@ namespace hazer::render {
 namespace {
 
 /// Every level comes from the picture itself, so that the GPU and the CPU look at the same texels.
-void uploadLevel(const std::vector<std::shared_ptr<const GoboPicture>>& pictures, int level) {
+void uploadLevel(const std::vector<std::shared_ptr<const GoboPicture>>& pictures, int furtherLayers,
+                 int level) {
     const int size = kGoboSize >> level;
-    glTexImage3D(GL_TEXTURE_2D_ARRAY, level, GL_RGBA8, size, size, static_cast<GLsizei>(pictures.size()), 0,
-                 GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    const GLsizei layers = static_cast<GLsizei>(pictures.size()) + furtherLayers;
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, level, GL_RGBA8, size, size, layers, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 nullptr);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         glTexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, static_cast<GLint>(i), size, size, 1, GL_RGBA,
                         GL_UNSIGNED_BYTE, pictures[i]->levels[static_cast<std::size_t>(level)].data());
@@ -26,11 +28,13 @@ GoboId GoboStore::add(const std::uint8_t* rgba, int width, int height) {
     return static_cast<GoboId>(pictures_.size()) - 1;
 }
 
-GLuint GoboStore::texture() {
-    if (uploaded_ == pictures_.size()) return texture_.id();
+GLuint GoboStore::texture(int composed) {
+    if (uploaded_ == pictures_.size() && composed <= roomForComposed_) return texture_.id();
+    roomForComposed_ = std::max(composed, roomForComposed_);
+    ++textureGeneration_;
     texture_ = gl::makeTexture();
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture_.id());
-    for (int level = 0; level < kGoboLevels; ++level) uploadLevel(pictures_, level);
+    for (int level = 0; level < kGoboLevels; ++level) uploadLevel(pictures_, roomForComposed_, level);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, kGoboLevels - 1);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);

@@ -29,8 +29,16 @@ class GoboStore {
         return pictures_[static_cast<std::size_t>(gobo)]->levels[0];
     }
 
-    /// A GL_TEXTURE_2D_ARRAY with mip levels; 0 while there are no gobos.
-    GLuint texture();
+    /// A GL_TEXTURE_2D_ARRAY with mip levels, a gobo a layer, with room for `composed` further pictures
+    /// behind them; 0 while there is neither. Room stays once there was a need for it.
+    GLuint texture(int composed = 0);
+
+    /// Where composed pictures lie in the texture, and how many may.
+    int firstComposedLayer() const { return static_cast<int>(pictures_.size()); }
+    int roomForComposed() const { return roomForComposed_; }
+
+    /// Another number when the texture is another one: then composed pictures are lost.
+    int textureGeneration() const { return textureGeneration_; }
 
     /// Where the tables that a frame wants lie, one slot a key. Those that do not exist yet are built in the
     /// background: their slots are empty until a later call, or, if `waits`, the call takes until they exist.
@@ -51,6 +59,8 @@ class GoboStore {
     std::vector<std::shared_ptr<const GoboPicture>> pictures_;
     gl::Texture texture_;
     std::size_t uploaded_ = 0;
+    int roomForComposed_ = 0;
+    int textureGeneration_ = 0;
     int mostTableLayers_;
     GoboTableSlots slots_;
     gl::Texture tables_;

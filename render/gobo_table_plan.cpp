@@ -32,6 +32,7 @@ std::vector<GoboTableKey> goboTableKeys(const Scene& scene, const Settings& sett
         if ((group.features & kFeatureGobo) == 0 || (group.features & kFeatureUniform) != 0) continue;
         for (const int index : group.beams) {
             const auto beam = static_cast<std::size_t>(index);
+            if (plan.apertures.ofBeam[beam] >= 0) continue;
             keys[beam] = goboTableKey(scene.beams[beam], plan.shapes[beam]);
         }
     }

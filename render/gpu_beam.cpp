@@ -1,5 +1,6 @@
 #include "render/gpu_beam.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/camera.h"
@@ -11,7 +12,7 @@ glm::dvec3 apexPosition(const Beam& beam, const BeamShape& shape) {
 }
 
 GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera, const BeamShadow& shadow,
-                 const GoboTableSlot& goboTable) {
+                 const BeamPicture& picture, const GoboTableSlot& goboTable) {
     const glm::dmat3 lampFromWorld = glm::transpose(beam.worldFromBeam);
     const glm::dmat3 viewFromLamp = glm::transpose(lampFromWorld * worldFromView(camera));
     const glm::dvec3 cameraInLamp = lampFromWorld * (camera.positionM - apexPosition(beam, shape));
@@ -24,8 +25,8 @@ GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera,
     gpu.cone = glm::vec4(glm::dvec4(std::cos(shape.cutHalfAngleRad), std::sin(shape.cutHalfAngleRad),
                                     shape.beamHalfAngleRad, shape.exponent));
     const double tanField = std::tan(shape.fieldHalfAngleRad);
-    gpu.gobo = glm::vec4(glm::dvec4(beam.gobo, std::cos(beam.goboRotationRad) / tanField,
-                                    std::sin(beam.goboRotationRad) / tanField,
+    gpu.gobo = glm::vec4(glm::dvec4(picture.layer, std::cos(picture.rotationRad) / tanField,
+                                    std::sin(picture.rotationRad) / tanField,
                                     beam.focusDistanceM > 0.0 ? 1.0 / beam.focusDistanceM : -1.0));
     gpu.shadow =
         glm::vec4(glm::dvec4(shadow.firstFace, shadow.reach.nearM, shadow.reach.farM, shadow.reach.deepM));
@@ -34,7 +35,8 @@ GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera,
     gpu.lens.w = goboTable.layers > 0
                      ? static_cast<float>(2 * goboTable.firstLayer + (goboTable.layers == 3 ? 1 : 0))
                      : -1.0f;
-    gpu.lens.y = -1.0f;
+    gpu.lens.y =
+        picture.layer >= 0 ? static_cast<float>(std::tan(std::clamp(beam.frostRad, 0.0, 1.5))) : -1.0f;
     return gpu;
 }
 

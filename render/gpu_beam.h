@@ -31,9 +31,15 @@ struct BeamShadow {
     SurfaceReach reach;
 };
 
+/// The picture that a beam shines through.
+struct BeamPicture {
+    int layer = -1;  ///< Of the gobos' texture; -1: none.
+    double rotationRad = 0.0;
+};
+
 /// Packs a beam for a camera. Positions are subtracted in double, so that a stage a kilometre from the origin
 /// loses nothing.
 GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera, const BeamShadow& shadow,
-                 const GoboTableSlot& goboTable);
+                 const BeamPicture& picture, const GoboTableSlot& goboTable);
 
 }  // namespace hazer::render

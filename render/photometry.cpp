@@ -15,7 +15,7 @@ constexpr double kMaxExponent = 12.0;
 constexpr double kMinExponent = 1.0;
 constexpr double kNarrowestFieldRad = 0.01 * kRadPerDeg;
 constexpr double kWidestFieldRad = 358.0 * kRadPerDeg;
-// A gobo lies on a plane before the lamp.
+// A gobo lies on a plane before the lamp, and so does an aperture.
 constexpr double kWidestGoboFieldRad = 178.0 * kRadPerDeg;
 // Half angle from which on a lamp has no lens plane: it shines to all sides, or backwards, too.
 constexpr double kNoLensRad = 89.5 * kRadPerDeg;
@@ -33,6 +33,14 @@ double apexPerRadius(double fieldHalfAngleRad) {
 double widestCut(double fieldHalfAngleRad) {
     const double beyond = std::clamp((fieldHalfAngleRad - kNoLensRad) / kRadPerDeg, 0.0, 1.0);
     return std::lerp(kNoLensRad, 0.5 * kWidestFieldRad, beyond);
+}
+
+/// An iris cuts off what is outside of it, and leaves the rest as bright as it was.
+void closeIris(double radius, BeamShape& shape) {
+    if (radius <= 0.0) shape.peakCd = 0.0;
+    const double edge = std::atan(std::max(radius, 1e-4) * std::tan(shape.fieldHalfAngleRad));
+    shape.cutHalfAngleRad = std::min(shape.cutHalfAngleRad, edge);
+    if (shape.exponent == 0.0) shape.beamHalfAngleRad = shape.cutHalfAngleRad;
 }
 
 }  // namespace
@@ -64,8 +72,9 @@ double profileSolidAngle(const BeamShape& shape) {
 
 BeamShape beamShape(const Beam& beam) {
     BeamShape shape;
-    const double field = std::clamp(beam.fieldAngleRad, kNarrowestFieldRad,
-                                    beam.gobo >= 0 ? kWidestGoboFieldRad : kWidestFieldRad);
+    const bool hasPlane = beam.gobo >= 0 || !isOpen(beam.aperture);
+    const double field =
+        std::clamp(beam.fieldAngleRad, kNarrowestFieldRad, hasPlane ? kWidestGoboFieldRad : kWidestFieldRad);
     const double edge = std::clamp(beam.beamAngleRad, 0.02 * field, field);
     shape.fieldHalfAngleRad = 0.5 * field;
     shape.cutHalfAngleRad = shape.fieldHalfAngleRad;
@@ -80,6 +89,7 @@ BeamShape beamShape(const Beam& beam) {
     shape.apexToLensM = std::max(beam.lensRadiusM, 0.0) * apexPerRadius(shape.fieldHalfAngleRad);
     shape.peakCd =
         beam.intensityCd > 0.0 ? beam.intensityCd : std::max(beam.fluxLm, 0.0) / profileSolidAngle(shape);
+    if (beam.gobo < 0 && isIrisOnly(beam.aperture)) closeIris(beam.aperture.irisRadius, shape);
     return shape;
 }
 

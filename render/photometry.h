@@ -19,7 +19,8 @@ struct BeamShape {
 
 /// Derives the shape from a beam's angles, lens and flux. The integral of intensity over the sphere is the
 /// flux. Angles out of range are clamped: field angle to 0.01..358 degrees (178 with a gobo), beam angle to
-/// at most the field angle. A lamp of a field of 179 degrees or more has its apex in the lens.
+/// at most the field angle. An iris alone makes the cut narrower, and takes no light from within. A lamp of a
+/// field of 179 degrees or more has its apex in the lens.
 BeamShape beamShape(const Beam& beam);
 
 /// Solid angle weighted by the profile [sr]: the flux is the peak times this.

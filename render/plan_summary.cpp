@@ -9,9 +9,9 @@ namespace hazer::render {
 namespace {
 
 /// All passes in the order of Renderer::render.
-constexpr std::array kPassOrder{"shadow maps",  "surfaces", "background",  "lit surfaces",
-                                "beams",        "lenses",   "block means", "bloom",
-                                "display grid", "tone map", "antialias"};
+constexpr std::array kPassOrder{"apertures",    "shadow maps",  "surfaces", "background",
+                                "lit surfaces", "beams",        "lenses",   "block means",
+                                "bloom",        "display grid", "tone map", "antialias"};
 
 std::vector<std::string> passesOf(const std::vector<FramePart>& parts) {
     std::vector<std::string> passes;

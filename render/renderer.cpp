@@ -17,6 +17,7 @@
 #include "render/mesh_store.h"
 #include "render/passes/air_grid.h"
 #include "render/passes/antialias_pass.h"
+#include "render/passes/aperture_pass.h"
 #include "render/passes/bloom_pass.h"
 #include "render/passes/display_grid.h"
 #include "render/passes/lens_pass.h"
@@ -61,7 +62,8 @@ std::vector<PassTime> named(const std::vector<std::pair<std::string, double>>& p
 
 struct Renderer::Impl {
     explicit Impl(const std::filesystem::path& shaderFolder)
-        : surfaces(shaderFolder),
+        : apertures(shaderFolder),
+          surfaces(shaderFolder),
           shadows(shaderFolder),
           air(shaderFolder),
           airGrid(shaderFolder),
@@ -93,6 +95,7 @@ struct Renderer::Impl {
     MeshStore meshes;
     GoboStore gobos;
     WebStore webs;
+    AperturePass apertures;
     SurfacePass surfaces;
     ShadowPass shadows;
     AirPass air;
@@ -234,6 +237,9 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     r.makeBodyTargets(plan.surfaces);
     r.timer.beginFrame();
 
+    std::vector<int> composedLayers;
+    if (!plan.apertures.composed.empty())
+        r.pass("apertures", [&] { composedLayers = r.apertures.draw(plan.apertures.composed, r.gobos); });
     if (!plan.shadowMaps.empty()) r.pass("shadow maps", [&] { r.shadows.draw(scene, plan, r.meshes); });
     glViewport(0, 0, r.width, r.height);
     r.stillSurfaces.beginFrame(surfaceView(scene, camera, settings, plan));
@@ -242,7 +248,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     if (!plan.surfaces) r.pass("background", [&] { r.drawBackground(scene); });
     const std::vector<GoboTableSlot> goboTables =
         r.gobos.tables(goboTableKeys(scene, settings, plan), settings.waitForTables);
-    const std::vector<GpuBeam> beams = packBeams(scene, plan, camera, goboTables);
+    const std::vector<GpuBeam> beams = packBeams(scene, plan, camera, composedLayers, goboTables);
     const LightInputs lights{scene,
                              camera,
                              settings,
@@ -325,6 +331,7 @@ Resources Renderer::resources() const {
     r.meshes.list(all);
     r.gobos.list(all);
     r.webs.list(all);
+    r.apertures.list(all);
     r.surfaces.list(all);
     r.shadows.list(all);
     r.air.list(all);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/air_quality.h"
+#include "render/aperture.h"
 
 namespace hazer::render {
 
@@ -36,7 +37,9 @@ struct Beam {
     GoboId gobo = -1;
     double goboRotationRad = 0.0;  ///< Counter-clockwise, looking along the beam from the lens.
     double focusDistanceM = 0.0;   ///< Distance from the lens where the gobo is sharp; 0: sharp everywhere.
-    WebId web = -1;                ///< Photometric web that replaces the edge's profile; -1: none.
+    double frostRad = 0.0;  ///< Angle over which frost blurs the gobo and what else is in the aperture.
+    Aperture aperture;      ///< What stands in the beam's way besides the gobo.
+    WebId web = -1;         ///< Photometric web that replaces the edge's profile; -1: none.
     bool castsShadow = true;
     bool showsLens = true;  ///< The lens itself is drawn.
 

@@ -65,14 +65,15 @@ BeamShape shapeOf(const Beam& beam, std::span<const IesWeb> webs) {
 }
 
 /// What a beam needs on a surface, but for its shadows.
-LightFeatures featuresOf(const Beam& beam, const BeamShape& shape, const Settings& settings) {
+LightFeatures featuresOf(const Beam& beam, const BeamShape& shape, bool isComposed,
+                         const Settings& settings) {
     LightFeatures features = 0;
     if (beam.web >= 0) {
         features |= kFeatureWeb;
     } else if (shape.exponent == 0.0) {
         features |= kFeatureFlat;
     }
-    if (beam.gobo >= 0 && settings.gobos) features |= kFeatureGobo;
+    if (isComposed || (beam.gobo >= 0 && settings.gobos)) features |= kFeatureGobo;
     return features;
 }
 
@@ -136,6 +137,15 @@ void planShadowsOf(const Scene& scene, const Camera& camera, const Settings& set
         for (const ShadowFacePlan& face : map.faces) tiles.push_back(face.sizeTexels);
     }
     plan.shadowAtlasEdge = smallestAtlasEdge(tiles);
+}
+
+/// The lit beams that reach a surface.
+std::vector<int> beamsOnSurfaces(const ScenePlan& plan) {
+    std::vector<int> beams;
+    std::ranges::copy_if(plan.lit, std::back_inserter(beams), [&plan](int beam) {
+        return plan.surfaceReach[static_cast<std::size_t>(beam)].has_value();
+    });
+    return beams;
 }
 
 /// Integrals must cost more than what the grid takes besides them. Measured on a processor without a GPU,
@@ -207,19 +217,19 @@ ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& se
     plan.air = !plan.lit.empty() && plan.haze.scatteringPerM > 0.0f;
     plan.bloom = settings.bloom;
     plan.lenses = groupLenses(scene, plan.lit);
+    planShadowsOf(scene, camera, settings, plan.lit, meshBounds, plan);
+    const std::vector<int> onSurfaces = beamsOnSurfaces(plan);
+    plan.apertures = planApertures(scene, plan.air ? plan.lit : onSurfaces, settings);
 
     std::vector<LightFeatures> features(scene.beams.size(), 0);
     for (const int beam : plan.lit) {
         const auto index = static_cast<std::size_t>(beam);
-        features[index] = featuresOf(scene.beams[index], plan.shapes[index], settings);
+        features[index] =
+            featuresOf(scene.beams[index], plan.shapes[index], plan.apertures.ofBeam[index] >= 0, settings);
     }
-    planShadowsOf(scene, camera, settings, plan.lit, meshBounds, plan);
     for (const ShadowMapPlan& map : plan.shadowMaps) {
         features[static_cast<std::size_t>(map.beam)] |= kFeatureShadow | (map.isWide ? kFeatureWide : 0u);
     }
-    std::vector<int> onSurfaces;
-    std::copy_if(plan.lit.begin(), plan.lit.end(), std::back_inserter(onSurfaces),
-                 [&](int beam) { return plan.surfaceReach[static_cast<std::size_t>(beam)].has_value(); });
     plan.surfaceGroups = groupBeams(onSurfaces, features);
     if (!plan.air) return plan;
     const LightFeatures haze = airFeatures(scene, settings);

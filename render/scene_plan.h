@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "render/aperture_plan.h"
 #include "render/gpu_beam.h"
 #include "render/ies_web.h"
 #include "render/mesh.h"
@@ -53,6 +54,7 @@ struct ScenePlan {
     bool bloom = false;
     Haze haze;                         ///< What single scattering is integrated in, see hazeToIntegrate().
     std::vector<BeamShape> shapes;     ///< One per beam of the scene.
+    AperturePlan apertures;            ///< Only of beams in whose way there is more than a gobo.
     std::vector<BeamGroup> lenses;     ///< Lit lenses to draw.
     std::vector<BeamGroup> airGroups;  ///< Empty without haze that scatters.
     /// Pixels between the nodes of the coarse grid of the air, see Settings::airStep; 1: there is no grid.

@@ -51,9 +51,15 @@ std::vector<std::uint16_t> hullIndexList() {
     return list;
 }
 
+BeamPicture pictureOf(const Beam& beam, int composed, const std::vector<int>& composedLayers) {
+    if (composed < 0) return {beam.gobo, beam.goboRotationRad};
+    return {composedLayers[static_cast<std::size_t>(composed)], pictureRotationRad(beam)};
+}
+
 }  // namespace
 
 std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const Camera& camera,
+                               const std::vector<int>& composedLayers,
                                const std::vector<GoboTableSlot>& goboTables) {
     std::vector<BeamShadow> shadows(scene.beams.size());
     for (std::size_t i = 0; i < scene.beams.size(); ++i) {
@@ -67,7 +73,9 @@ std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const 
     std::vector<GpuBeam> packed;
     packed.reserve(scene.beams.size());
     for (std::size_t i = 0; i < scene.beams.size(); ++i) {
-        packed.push_back(packBeam(scene.beams[i], plan.shapes[i], camera, shadows[i], goboTables[i]));
+        packed.push_back(packBeam(scene.beams[i], plan.shapes[i], camera, shadows[i],
+                                  pictureOf(scene.beams[i], plan.apertures.ofBeam[i], composedLayers),
+                                  goboTables[i]));
     }
     return packed;
 }

@@ -10,9 +10,11 @@ vec2 goboPlace(vec3 direction) {
 // What a length at axialM from the apex is on the gobo, in texels.
 float goboTexels(float tangent) { return tangent * length(gobo.yz) * 0.5 * float(textureSize(goboImages, 0).x); }
 
-// Circle of confusion on the gobo, as a tangent: exit pupil times the error of vergence (thin lens).
+// Blur on the gobo, as a tangent: the circle of confusion, which is the exit pupil times the error of vergence (thin lens), and what frost
+// scatters, which have nothing to do with each other.
 float goboDefocus(float axialM) {
-    return gobo.w < 0.0 ? 0.0 : 2.0 * lens.x * abs(1.0 / max(axialM - light.w, 1e-3) - gobo.w);
+    float confusion = gobo.w < 0.0 ? 0.0 : 2.0 * lens.x * abs(1.0 / max(axialM - light.w, 1e-3) - gobo.w);
+    return length(vec2(confusion, lens.y));
 }
 
 // Width of the blur on the gobo in texels, at least 1. footprintM: width of what is looked at, at axialM from the apex.

@@ -165,6 +165,19 @@ TEST_F(PlanSummaryGlTest, GridWebAndWideLampAreAsPlanned) {
     expectAsPlanned(wide.summary, *wide.renderer);
 }
 
+TEST_F(PlanSummaryGlTest, ComposedAperturesAreAsPlanned) {
+    for (const bool hasGobo : {true, false}) {
+        const Drawn drawn = drawFresh([&](FeatureScene& made) {
+            if (!hasGobo) made.scene.beams.front().gobo = -1;
+            made.scene.beams.back().aperture.blades[0].distance = 0.2;
+            made.scene.beams.front().aperture.blades[1].distance = 0.3;
+        });
+        expectAsPlanned(drawn.summary, *drawn.renderer);
+        EXPECT_EQ(drawn.textures, drawn.renderer->resources().textures.size());
+        EXPECT_EQ(drawn.programs, drawn.renderer->resources().shaders.size());
+    }
+}
+
 TEST_F(PlanSummaryGlTest, BeamsAsLinesAreAsPlanned) {
     for (const bool isThin : {true, false}) {
         const Drawn drawn = drawFresh([&](FeatureScene& made) {

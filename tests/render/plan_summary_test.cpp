@@ -166,6 +166,30 @@ TEST_F(PlanSummaryTest, WhyThereAreTablesOfGobos) {
     EXPECT_TRUE(part("gobos").needed);
 }
 
+TEST_F(PlanSummaryTest, WhyThereAreComposedApertures) {
+    expectLeftOut("composed apertures",
+                  "no lit lamp that is seen has more in its way than a gobo or an iris alone");
+    const int gobos = part("gobos").resources.textures.front().layers;
+    full_.scene.beams.back().aperture.blades[0].distance = 0.2;
+    EXPECT_EQ(part("composed apertures").reason, "1 of 2 lit lamps has more than a gobo in the way");
+    EXPECT_EQ(summarize().passes.front(), "apertures");
+    EXPECT_EQ(part("gobos").resources.textures.front().layers, gobos + 1);
+    full_.scene.beams.front().gobo = -1;
+    EXPECT_EQ(part("gobos").reason, "composed apertures are looked at like gobos");
+    full_.settings.gobos = false;
+    expectLeftOut("composed apertures", "gobos are switched off");
+}
+
+TEST_F(PlanSummaryTest, LampsBeyondTheMostAperturesAreTold) {
+    for (int i = 0; i <= render::kMostComposedApertures; ++i) {
+        full_.scene.beams.push_back(full_.scene.beams.back());
+        full_.scene.beams.back().aperture.blades[0].distance = 0.01 * i;
+    }
+    EXPECT_EQ(part("composed apertures").reason,
+              "64 of 67 lit lamps have more than a gobo in the way; 1 further one shines without, for want "
+              "of memory");
+}
+
 TEST_F(PlanSummaryTest, WhyThereIsNoGobo) {
     full_.settings.gobos = false;
     expectLeftOut("gobos", "gobos are switched off");
