@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <span>
 
+#include "app/beam_optics.h"
 #include "app/light_color.h"
 #include "render/mesh.h"
 
@@ -80,8 +81,6 @@ std::optional<render::Beam> beamFromState(const fixtures::BeamState& state) {
     beam.edge = edgeOf(beam.beamAngleRad, beam.fieldAngleRad);
     beam.fluxLm = fluxLm;
     beam.color = lightColorFromXyz(state.colorXyz);
-    const fixtures::GoboState* const gobo = state.firstGobo();
-    beam.goboRotationRad = glm::radians((gobo != nullptr ? *gobo : state.gobos.front()).rotationDeg);
     if (state.focusDistanceM) {
         beam.focusDistanceM = std::clamp(*state.focusDistanceM, 0.0, kFarthestFocusM);
     } else if (state.focus) {
@@ -96,8 +95,9 @@ void Rig::append(const fixtures::FixtureState& state, render::Scene& scene) {
     for (const fixtures::BeamState& lamp : state.beams) {
         std::optional<render::Beam> beam = beamFromState(lamp);
         if (!beam) continue;
-        if (const fixtures::GoboState* gobo = lamp.firstGobo()) beam->gobo = goboFor(gobo->image);
-        scene.beams.push_back(*beam);
+        applyOptics(
+            lamp, [this](const auto& image) { return goboFor(image); }, *beam);
+        for (const render::Beam& copy : throughPrisms(lamp, *beam)) scene.beams.push_back(copy);
     }
     for (const fixtures::PartState& part : state.parts) {
         if (part.model != nullptr) appendPart(part, scene);

@@ -12,7 +12,7 @@
 
 namespace hazer::app {
 
-/// The beam of light that a Beam geometry sends out, with no gobo in it. Empty if it is dark.
+/// The beam of light that a Beam geometry sends out, with nothing in its way. Empty if it is dark.
 std::optional<render::Beam> beamFromState(const fixtures::BeamState& state);
 
 /// Where a gobo is sharp [m from the lens] for Focus1 0..1: from 2 m (0, near), even in dioptres, to 1 km (1,

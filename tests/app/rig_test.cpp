@@ -44,7 +44,6 @@ TEST(BeamFromState, carriesPoseAndOptics) {
     state.lensRadiusM = 0.07;
     state.beamAngleDeg = 10.0;
     state.fieldAngleDeg = 20.0;
-    state.gobos[0].rotationDeg = 45.0;
     const auto beam = beamFromState(state);
     ASSERT_TRUE(beam);
     EXPECT_EQ(beam->lensPositionM, glm::dvec3(1.0, 2.0, 3.0));
@@ -53,7 +52,6 @@ TEST(BeamFromState, carriesPoseAndOptics) {
     EXPECT_EQ(beam->lensRadiusM, 0.07);
     EXPECT_NEAR(beam->beamAngleRad, 0.174533, 1e-6);
     EXPECT_NEAR(beam->fieldAngleRad, 0.349066, 1e-6);
-    EXPECT_NEAR(beam->goboRotationRad, 0.785398, 1e-6);
 }
 
 TEST(BeamFromState, equalAnglesAreAHardEdge) {

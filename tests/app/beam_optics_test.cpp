@@ -1,0 +1,260 @@
+// From a fixture's wheels, blades, frost and prisms to beams.
+#include "app/beam_optics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/light_color.h"
+#include "app/rig.h"
+
+namespace hazer::app {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+fixtures::BeamState litBeam() {
+    fixtures::BeamState state;
+    state.fluxLm = 10000.0;
+    state.beamAngleDeg = 15.0;
+    state.fieldAngleDeg = 20.0;
+    return state;
+}
+
+std::shared_ptr<const fixtures::WheelImage> image() {
+    return std::make_shared<const fixtures::WheelImage>();
+}
+
+/// Handles are given out in the order of asking: 7, 8 ...
+render::Beam through(const fixtures::BeamState& state) {
+    render::Beam beam = beamFromState(state).value();
+    int next = 7;
+    applyOptics(
+        state, [&next](const auto&) { return next++; }, beam);
+    return beam;
+}
+
+/// Light that the beam's blades leave at a place of its cross-section.
+bool isOpenAt(const render::Aperture& aperture, const glm::dvec2& place) {
+    for (const render::ApertureEdge& blade : aperture.blades) {
+        if (glm::dot(blade.normal, place) >= blade.distance) return false;
+    }
+    return true;
+}
+
+glm::dvec3 directionOf(const render::Beam& beam) {
+    return -beam.worldFromBeam[2];
+}
+
+TEST(BeamOptics, NothingInTheWayLeavesTheBeam) {
+    const fixtures::BeamState state = litBeam();
+    EXPECT_EQ(through(state), beamFromState(state).value());
+    EXPECT_EQ(throughPrisms(state, through(state)), std::vector{through(state)});
+}
+
+TEST(BeamOptics, TheFirstGoboIsTheBeamsAndOthersLieOverIt) {
+    fixtures::BeamState state = litBeam();
+    state.gobos[1].image = image();
+    state.gobos[1].rotationDeg = 90.0;
+    state.gobos[2].image = image();
+    state.gobos[2].rotationDeg = -30.0;
+    const render::Beam beam = through(state);
+    EXPECT_EQ(beam.gobo, 7);
+    EXPECT_NEAR(beam.goboRotationRad, 0.5 * kPi, 1e-12);
+    EXPECT_EQ(beam.aperture.images[0].gobo, 8);
+    EXPECT_NEAR(beam.aperture.images[0].rotationRad, -kPi / 6.0, 1e-12);
+    EXPECT_EQ(beam.aperture.images[1].gobo, -1);
+}
+
+TEST(BeamOptics, AShakenGoboLeavesTheMiddle) {
+    fixtures::BeamState state = litBeam();
+    state.gobos[0].image = image();
+    state.gobos[0].slot = 3.1;
+    const render::Beam beam = through(state);
+    EXPECT_EQ(beam.gobo, -1);
+    EXPECT_EQ(beam.aperture.images[0].gobo, 7);
+    EXPECT_NEAR(beam.aperture.images[0].center.x, -0.22, 1e-9);
+}
+
+TEST(BeamOptics, AnAnimationDiskIsLargerThanTheBeamAndCoversIt) {
+    fixtures::BeamState state = litBeam();
+    state.animation.image = image();
+    EXPECT_TRUE(isOpen(through(state).aperture));
+    state.animation.insertion = 1.0;
+    const render::ApertureImage disk = through(state).aperture.images[0];
+    EXPECT_EQ(disk.gobo, 7);
+    EXPECT_GT(disk.radius, glm::length(disk.center) + 1.0);
+}
+
+// Blades come in from their sides, seen from the fixture: 1 from below, 2 from the left, 3 from above, 4 from
+// the right.
+TEST(BeamOptics, BladesComeInFromTheirSides) {
+    constexpr std::array kSides{glm::dvec2(0.0, -1.0), glm::dvec2(-1.0, 0.0), glm::dvec2(0.0, 1.0),
+                                glm::dvec2(1.0, 0.0)};
+    for (std::size_t i = 0; i < kSides.size(); ++i) {
+        fixtures::BeamState state = litBeam();
+        state.shaper.blades[i].a = state.shaper.blades[i].b = 0.25;
+        const render::Aperture aperture = through(state).aperture;
+        // A quarter of the way across: half a radius from the middle.
+        EXPECT_FALSE(isOpenAt(aperture, 0.51 * kSides[i])) << i;
+        EXPECT_TRUE(isOpenAt(aperture, 0.49 * kSides[i])) << i;
+        EXPECT_TRUE(isOpenAt(aperture, -0.99 * kSides[i])) << i;
+    }
+}
+
+// End A is the first that one meets clockwise: of the blade from below, the one on the right.
+TEST(BeamOptics, BladesTilt) {
+    fixtures::BeamState state = litBeam();
+    state.shaper.blades[0].a = 0.5;
+    state.shaper.blades[0].b = 0.0;
+    const render::Aperture aperture = through(state).aperture;
+    EXPECT_FALSE(isOpenAt(aperture, {0.9, -0.2}));
+    EXPECT_TRUE(isOpenAt(aperture, {-0.9, -0.2}));
+    EXPECT_FALSE(isOpenAt(aperture, {0.0, -0.51}));
+    EXPECT_TRUE(isOpenAt(aperture, {0.0, -0.49}));
+}
+
+TEST(BeamOptics, BladesTurnCounterClockwise) {
+    fixtures::BeamState state = litBeam();
+    state.shaper.blades[0].a = state.shaper.blades[0].b = 0.25;
+    state.shaper.blades[0].rotationDeg = 30.0;
+    // The edge from below rises to the right.
+    EXPECT_FALSE(isOpenAt(through(state).aperture, {0.7, -0.2}));
+    EXPECT_TRUE(isOpenAt(through(state).aperture, {-0.7, -0.7}));
+    state.shaper.blades[0].rotationDeg = 0.0;
+    state.shaper.rotationDeg = 90.0;
+    // All blades a quarter turn on: the one from below comes from the right.
+    EXPECT_FALSE(isOpenAt(through(state).aperture, {0.6, 0.0}));
+    EXPECT_TRUE(isOpenAt(through(state).aperture, {0.0, -0.6}));
+}
+
+TEST(BeamOptics, IrisAndSoftness) {
+    fixtures::BeamState state = litBeam();
+    state.iris = 0.4;
+    state.shaper.softness = 0.5;
+    EXPECT_EQ(through(state).aperture.irisRadius, 0.4);
+    EXPECT_GT(through(state).aperture.softness, 0.1);
+}
+
+// The light of either side, and all of it, are those of the wheel's colours.
+TEST(BeamOptics, SplitColorsKeepTheirLight) {
+    fixtures::BeamState state = litBeam();
+    state.colorSplit.colorXyz = {glm::dvec3(0.30, 0.20, 0.05), glm::dvec3(0.10, 0.15, 0.40)};
+    state.colorSplit.secondShare = 0.25;
+    const render::Beam beam = through(state);
+    EXPECT_EQ(beam.aperture.split.distance, 0.5);
+    const glm::dvec3 brightest = glm::dvec3(beam.color) * beam.fluxLm;
+    const std::array sides{glm::dvec3(beam.aperture.color), glm::dvec3(beam.aperture.beyondColor)};
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const glm::dvec3 light = brightest * sides[i];
+        EXPECT_NEAR(luminance(light), 10000.0 * state.colorSplit.colorXyz[i].y, 1.0);
+        EXPECT_LE(std::max({sides[i].r, sides[i].g, sides[i].b}), 1.0 + 1e-6);
+    }
+}
+
+// Scattering a Gaussian by a Gaussian adds their squares.
+TEST(BeamOptics, FrostWidens) {
+    fixtures::BeamState state = litBeam();
+    state.frosts[0] = 1.0;
+    const render::Beam beam = through(state);
+    EXPECT_NEAR(beam.beamAngleRad, std::hypot(15.0, 8.0) * kPi / 180.0, 1e-9);
+    EXPECT_GT(beam.fieldAngleRad, beamFromState(state)->fieldAngleRad);
+    EXPECT_EQ(beam.fluxLm, 10000.0);
+    EXPECT_GT(beam.frostRad, 8.0 * kPi / 180.0);
+    state.frosts[0] = 0.0;
+    EXPECT_EQ(through(state).frostRad, 0.0);
+}
+
+// The flux of a rectangle or an oval is that of the round beam.
+TEST(BeamOptics, ShapesKeepTheFlux) {
+    fixtures::BeamState state = litBeam();
+    state.type = fixtures::BeamType::kRectangle;
+    render::Beam beam = through(state);
+    EXPECT_EQ(beam.aperture.shape, render::ApertureShape::kRectangle);
+    EXPECT_NEAR(glm::length(beam.aperture.halfSize), 1.0, 1e-12);
+    EXPECT_NEAR(beam.fluxLm * 4.0 * beam.aperture.halfSize.x * beam.aperture.halfSize.y, 10000.0 * kPi, 1.0);
+    state = litBeam();
+    state.oval = 1.0;
+    state.ovalAngleDeg = 90.0;
+    beam = through(state);
+    EXPECT_EQ(beam.aperture.shape, render::ApertureShape::kOval);
+    EXPECT_NEAR(beam.fluxLm * beam.aperture.halfSize.x * beam.aperture.halfSize.y, 10000.0, 1e-6);
+    EXPECT_NEAR(beam.aperture.shapeTurnRad, 0.5 * kPi, 1e-12);
+}
+
+class Prism : public ::testing::Test {
+ protected:
+    Prism() {
+        wheel_.slots.resize(1);
+        state_ = litBeam();
+        state_.prisms[0].wheel = &wheel_;
+        state_.prisms[0].insertion = 1.0;
+    }
+
+    void addFacet(const glm::dmat3& copyFromBeam) { wheel_.slots[0].facets.push_back({{}, copyFromBeam}); }
+
+    std::vector<render::Beam> copies() const { return throughPrisms(state_, through(state_)); }
+
+    fixtures::Wheel wheel_;
+    fixtures::BeamState state_;
+};
+
+TEST_F(Prism, CopiesShareTheLightAndStandBesideEachOther) {
+    addFacet({{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 1.0}});
+    addFacet({{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -1.0, 1.0}});
+    const std::vector<render::Beam> beams = copies();
+    ASSERT_EQ(beams.size(), 2u);
+    const double tangent = std::tan(10.0 * kPi / 180.0);
+    const glm::dvec3 first = directionOf(beams[0]);
+    EXPECT_NEAR(first.x / -first.z, tangent, 1e-12);
+    EXPECT_NEAR(first.y, 0.0, 1e-12);
+    const glm::dvec3 second = directionOf(beams[1]);
+    EXPECT_NEAR(second.y / -second.z, -tangent, 1e-12);
+    EXPECT_EQ(beams[0].fluxLm + beams[1].fluxLm, 10000.0);
+    EXPECT_TRUE(beams[0].showsLens);
+    EXPECT_FALSE(beams[1].showsLens);
+}
+
+TEST_F(Prism, ATurningPrismCarriesItsCopiesRound) {
+    addFacet({{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 1.0}});
+    state_.prisms[0].rotationDeg = 90.0;
+    const glm::dvec3 direction = directionOf(copies()[0]);
+    EXPECT_NEAR(direction.x, 0.0, 1e-12);
+    EXPECT_NEAR(direction.y / -direction.z, std::tan(10.0 * kPi / 180.0), 1e-12);
+    // The image itself does not turn with it.
+    EXPECT_NEAR(copies()[0].goboRotationRad, 0.0, 1e-12);
+}
+
+TEST_F(Prism, FacetsScaleAndTurnTheImage) {
+    const double c = 2.0 * std::cos(0.3);
+    const double s = 2.0 * std::sin(0.3);
+    addFacet({{c, s, 0.0}, {-s, c, 0.0}, {0.0, 0.0, 1.0}});
+    state_.gobos[0].image = image();
+    const render::Beam copy = copies()[0];
+    EXPECT_NEAR(std::tan(0.5 * copy.fieldAngleRad), 2.0 * std::tan(10.0 * kPi / 180.0), 1e-12);
+    EXPECT_NEAR(copy.goboRotationRad, 0.3, 1e-12);
+    EXPECT_EQ(copy.aperture.shape, render::ApertureShape::kRound);
+}
+
+TEST_F(Prism, AStretchingFacetMakesAnOval) {
+    addFacet({{1.0, 0.0, 0.0}, {0.0, 4.0, 0.0}, {0.0, 0.0, 1.0}});
+    const render::Beam copy = copies()[0];
+    EXPECT_EQ(copy.aperture.shape, render::ApertureShape::kOval);
+    EXPECT_NEAR(copy.aperture.halfSize.y, 0.25, 1e-12);
+    EXPECT_NEAR(std::abs(copy.aperture.shapeTurnRad), 0.5 * kPi, 1e-12);
+}
+
+TEST_F(Prism, TwoPrismsMultiplyAndAreBounded) {
+    for (int i = 0; i < 12; ++i) addFacet(glm::dmat3(1.0));
+    state_.prisms[1] = state_.prisms[0];
+    EXPECT_EQ(copies().size(), 64u);
+    state_.prisms[0].insertion = 0.0;
+    EXPECT_EQ(copies().size(), 12u);
+}
+
+TEST_F(Prism, WithoutFacetsThereAreThreeCopies) {
+    EXPECT_EQ(copies().size(), 3u);
+}
+
+}  // namespace
+}  // namespace hazer::app
