@@ -23,11 +23,10 @@ std::vector<ShowInput> inputsOf(const Show& show) {
     if (!show.inputs.empty()) return show.inputs;
     std::vector<ShowInput> inputs;
     const bool hasSacn = isPatchedTo(protocol::Transport::kSacn, show);
-    if (!hasSacn || isPatchedTo(protocol::Transport::kArtNet, show)) inputs.emplace_back();
-    if (!hasSacn) return inputs;
-    ShowInput& sacn = inputs.emplace_back();
-    sacn.transport = protocol::Transport::kSacn;
-    sacn.port = protocol::kSacnPort;
+    if (!hasSacn || isPatchedTo(protocol::Transport::kArtNet, show) || followsTimeCode(show)) {
+        inputs.push_back(inputOf(protocol::Transport::kArtNet));
+    }
+    if (hasSacn) inputs.push_back(inputOf(protocol::Transport::kSacn));
     return inputs;
 }
 
@@ -56,6 +55,12 @@ void add(protocol::ReceiverCounters& sum, const protocol::ReceiverCounters& one)
 
 }  // namespace
 
+std::vector<ShowInput> everyInput() {
+    std::vector<ShowInput> inputs{inputOf(protocol::Transport::kArtNet), inputOf(protocol::Transport::kSacn)};
+    if (protocol::UsbInput::isBuiltIn()) inputs.push_back(inputOf(protocol::Transport::kDmx));
+    return inputs;
+}
+
 Inputs::Inputs(const Show& show)
     : file_(show.file.string()),
       inputs_(inputsOf(show)),
@@ -71,25 +76,23 @@ Inputs::Inputs(const Show& show)
     });
 }
 
-void Inputs::listen(const InputPorts& ports) {
+void Inputs::listen(const ListenOptions& options) {
     for (const ShowInput& input : inputs_) {
         if (input.transport == protocol::Transport::kArtNet) {
-            protocol::ReceiverConfig config = artNetConfig(input);
-            config.port = ports.artNet.value_or(input.port);
-            receivers_.push_back(std::make_unique<protocol::Receiver>(config, store_));
+            receivers_.push_back(std::make_unique<protocol::Receiver>(artNetConfig(input, options), store_));
         } else if (input.transport == protocol::Transport::kSacn) {
-            protocol::SacnReceiverConfig config = sacnConfig(input);
-            config.port = ports.sacn.value_or(input.port);
-            sacnReceivers_.push_back(std::make_unique<protocol::SacnReceiver>(config, store_));
+            sacnReceivers_.push_back(
+                std::make_unique<protocol::SacnReceiver>(sacnConfig(input, options), store_));
         }
     }
-    listenToUsb();
+    listenToUsb(options);
 }
 
-void Inputs::listenToUsb() {
-    const auto wish = usbWishOf(inputs_, universes_);
+void Inputs::listenToUsb(const ListenOptions& options) {
+    auto wish = usbWishOf(inputs_, universes_);
     if (!wish) return;
     if (wish->isAskedFor || protocol::UsbInput::isBuiltIn()) {
+        wish->config.tap = options.usbTap;
         usb_ = std::make_unique<protocol::UsbInput>(wish->config, store_);
     } else {
         spdlog::warn(
@@ -98,19 +101,26 @@ void Inputs::listenToUsb() {
     }
 }
 
-protocol::ReceiverConfig Inputs::artNetConfig(const ShowInput& input) const {
+protocol::ReceiverConfig Inputs::artNetConfig(const ShowInput& input, const ListenOptions& options) const {
     protocol::ReceiverConfig config;
     config.address = input.address;
+    config.port = options.ports.artNet.value_or(input.port);
     config.isProgrammable = input.isProgrammable;
     config.portAddresses = numbersOn(protocol::Transport::kArtNet, universes_);
+    config.tap = options.tap;
     return config;
 }
 
-protocol::SacnReceiverConfig Inputs::sacnConfig(const ShowInput& input) const {
+protocol::SacnReceiverConfig Inputs::sacnConfig(const ShowInput& input, const ListenOptions& options) const {
     protocol::SacnReceiverConfig config;
     config.universes = numbersOn(protocol::Transport::kSacn, universes_);
+    config.universes.insert(config.universes.end(), options.sacnUniverses.begin(),
+                            options.sacnUniverses.end());
+    config.joinsAnnounced = options.joinsAnnounced;
     config.interface = input.interface;
+    config.port = options.ports.sacn.value_or(input.port);
     config.preview = input.preview;
+    config.tap = options.tap;
     config.notice = [](const std::string& sentence) { spdlog::warn("{}", sentence); };
     return config;
 }

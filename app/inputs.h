@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/show.h"
+#include "protocol/datagram.h"
 #include "protocol/receiver.h"
 #include "protocol/sacn_receiver.h"
 #include "protocol/universe_store.h"
@@ -21,14 +22,28 @@ struct InputPorts {
     std::optional<std::uint16_t> sacn{};
 };
 
+/// What a command asks for beyond what the show says.
+struct ListenOptions {
+    InputPorts ports{};
+    std::vector<std::uint16_t> sacnUniverses{};  ///< 1..63999 each: their groups are joined, too.
+    bool joinsAnnounced = false;                 ///< sACN: see SacnReceiverConfig::joinsAnnounced.
+    protocol::DatagramTap tap{};                 ///< Hears every datagram, on several threads; may be empty.
+    protocol::UsbTap usbTap{};                   ///< Hears every frame of USB; may be empty.
+};
+
+/// The inputs of a command that wants whatever there is: Art-Net and sACN on every interface, and USB where
+/// it is built in.
+std::vector<ShowInput> everyInput();
+
 class Inputs {
  public:
     /// Rules and universes of the show; nothing listens yet.
     explicit Inputs(const Show& show);
 
     /// Opens the inputs of the show. A show without any listens on every interface, to sACN if fixtures are
-    /// patched to it, and to Art-Net unless all are patched elsewhere. Throws protocol::NetworkError.
-    void listen(const InputPorts& ports);
+    /// patched to it, and to Art-Net unless all are patched elsewhere and nothing follows its time code.
+    /// Throws protocol::NetworkError.
+    void listen(const ListenOptions& options);
 
     /// Copies what stands at `now` into `out`, as one consistent set.
     void latch(protocol::UniverseSet& out, protocol::TimePoint now) { store_.latch(out, now); }
@@ -37,6 +52,9 @@ class Inputs {
 
     /// What all receivers of Art-Net together have seen, and the latest time code and trigger of any.
     protocol::ArtNetStatus artNet() const;
+
+    /// Whether a time code can arrive, which only Art-Net brings.
+    bool hearsTimeCode() const { return !receivers_.empty(); }
 
     /// What sACN tells besides its universes, receiver by receiver.
     std::vector<protocol::SacnReport> sacn() const;
@@ -53,9 +71,9 @@ class Inputs {
     std::uint16_t sacnPort() const;  ///< The same of sACN.
 
  private:
-    void listenToUsb();
-    protocol::ReceiverConfig artNetConfig(const ShowInput& input) const;
-    protocol::SacnReceiverConfig sacnConfig(const ShowInput& input) const;
+    void listenToUsb(const ListenOptions& options);
+    protocol::ReceiverConfig artNetConfig(const ShowInput& input, const ListenOptions& options) const;
+    protocol::SacnReceiverConfig sacnConfig(const ShowInput& input, const ListenOptions& options) const;
 
     std::string file_;  ///< Of the show, for warnings.
     std::vector<ShowInput> inputs_;

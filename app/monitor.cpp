@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/number_list.h"
 #include "app/universe_name.h"
 #include "app/usb_text.h"
 
@@ -14,6 +15,7 @@ namespace {
 using protocol::SourceStatus;
 using protocol::UniverseStatus;
 
+constexpr std::size_t kColumns = 100;
 constexpr const char* kRow = "{:<22} {:<8} {:<18} {:<16} {:>5} {:>4} {:>7} {:>6} {:>5}\n";
 
 // At most `columns` characters of a text in UTF-8, which is not cut inside one.
@@ -72,6 +74,34 @@ std::string slotRows(const UniverseStatus& universe) {
         rows += '\n';
     }
     return rows;
+}
+
+std::string sacnRows(const protocol::SacnReport& report) {
+    const protocol::SacnCounters& counters = report.counters;
+    std::string rows = fmt::format(
+        "sACN: {} levels, {} late, {} refused, {} syncs, {} ignored, {} malformed\n", counters.levels,
+        counters.late, counters.tooMany, counters.syncs, counters.ignored, counters.malformed);
+    for (const protocol::SacnDiscoveredSource& source : report.discovered) {
+        rows += cutTo(fmt::format("{} at {} announces sACN {}", cutTo(source.name, 30),
+                                  cutTo(source.address, 30), numberListText(source.universes)),
+                      kColumns) +
+                "\n";
+    }
+    return rows;
+}
+
+nlohmann::ordered_json sacnJson(const protocol::SacnReport& report) {
+    const protocol::SacnCounters& counters = report.counters;
+    nlohmann::ordered_json json{{"levels", counters.levels},
+                                {"late", counters.late},
+                                {"refused", counters.tooMany},
+                                {"malformed", counters.malformed}};
+    json["announced"] = nlohmann::ordered_json::array();
+    for (const protocol::SacnDiscoveredSource& source : report.discovered) {
+        json["announced"].push_back(
+            {{"name", source.name}, {"address", source.address}, {"universes", source.universes}});
+    }
+    return json;
 }
 
 bool wantsSlots(const MonitorView& view, protocol::UniverseId universe) {
@@ -136,6 +166,7 @@ std::string monitorTable(const MonitorView& view) {
     if (view.artNet.timeCode)
         table += fmt::format("time code {}\n", timeCodeText(view.artNet.timeCode->code));
     if (view.artNet.trigger) table += fmt::format("trigger {}\n", triggerText(*view.artNet.trigger));
+    for (const protocol::SacnReport& report : view.sacn) table += sacnRows(report);
     for (const protocol::UsbLineStatus& line : view.usbDevices) table += usbLineText(line) + "\n";
     for (const UniverseStatus& universe : view.universes) {
         if (wantsSlots(view, universe.universe)) table += slotRows(universe);
@@ -169,6 +200,8 @@ nlohmann::ordered_json monitorJson(const MonitorView& view) {
     for (const UniverseStatus& universe : view.universes) {
         json["universes"].push_back(universeJson(universe, wantsSlots(view, universe.universe)));
     }
+    json["sacn"] = nlohmann::ordered_json::array();
+    for (const protocol::SacnReport& report : view.sacn) json["sacn"].push_back(sacnJson(report));
     json["usb"] = nlohmann::ordered_json::array();
     for (const protocol::UsbLineStatus& line : view.usbDevices) json["usb"].push_back(usbLineJson(line));
     return json;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "protocol/artnet_node.h"
+#include "protocol/sacn_receiver.h"
 #include "protocol/universe_status.h"
 #include "protocol/usb/usb_input.h"
 
@@ -15,6 +16,7 @@ namespace hazer::app {
 struct MonitorView {
     std::vector<protocol::UniverseStatus> universes;
     protocol::ArtNetStatus artNet;
+    std::vector<protocol::SacnReport> sacn;  ///< Receiver by receiver.
     std::vector<protocol::UsbLineStatus> usbDevices;
     protocol::TimePoint now;
     double timeS = 0.0;                           ///< Since the monitor began.
@@ -22,13 +24,15 @@ struct MonitorView {
 };
 
 /// Lines of at most 100 columns, each with its end: universes with their sources, counters, time code,
-/// trigger, USB interfaces, and the slots that are wanted.
+/// trigger, what sACN sources announce, USB interfaces, and the slots that are wanted.
 std::string monitorTable(const MonitorView& view);
 
 /// {"time_s", "packets", "refused", "malformed", ..., "timecode", "trigger", "universes": [{"protocol",
 /// "universe", "asked", "lost", "merging", "packets", "refused_sources", "sources": [{"name", "address",
 /// "priority", "slot_priorities", "alive", "winning", "preview", "synchronized", "packets_per_s", "packets",
-/// "late", "losses"}], "slots": [of those that are wanted]}], "usb": [as usbLineJson has it]}
+/// "late", "losses"}], "slots": [of those that are wanted]}], "sacn": [receiver by receiver: {"levels",
+/// "late", "refused", "malformed", "announced": [{"name", "address", "universes"}]}], "usb": [as usbLineJson
+/// has it]}
 nlohmann::ordered_json monitorJson(const MonitorView& view);
 
 /// "01:02:03:04 at 25 fps".

@@ -1,5 +1,7 @@
 #include "app/number_list.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <set>
 
@@ -32,6 +34,19 @@ std::optional<std::vector<std::uint16_t>> parseNumberList(std::string_view text,
         text.remove_prefix(comma + 1);
     }
     return std::vector<std::uint16_t>(numbers.begin(), numbers.end());
+}
+
+std::string numberListText(std::span<const std::uint16_t> numbers) {
+    std::string text;
+    for (std::size_t first = 0; first < numbers.size();) {
+        std::size_t last = first;
+        while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+        if (!text.empty()) text += ',';
+        text += last == first ? fmt::format("{}", numbers[first])
+                              : fmt::format("{}-{}", numbers[first], numbers[last]);
+        first = last + 1;
+    }
+    return text.empty() ? "none" : text;
 }
 
 }  // namespace hazer::app

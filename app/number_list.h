@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,5 +14,8 @@ namespace hazer::app {
 /// outside first..last.
 std::optional<std::vector<std::uint16_t>> parseNumberList(std::string_view text, std::uint16_t first,
                                                           std::uint16_t last);
+
+/// "1-64,70" of ascending numbers, or "none".
+std::string numberListText(std::span<const std::uint16_t> numbers);
 
 }  // namespace hazer::app

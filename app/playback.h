@@ -2,12 +2,14 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/show.h"
+#include "app/time_code_follower.h"
 #include "protocol/recording/recording_player.h"
 
 namespace hazer::app {
@@ -24,10 +26,17 @@ class Playback {
     /// Lets `dtS` >= 0 seconds of the show pass.
     void advance(double dtS);
 
+    /// Goes where a time code says that the show is at `now`; `code` is what arrived last, if anything has.
+    /// Stays where it is before the first code.
+    void follow(const std::optional<protocol::ReceivedTimeCode>& code, protocol::TimePoint now);
+
+    /// Whether the time code ran when follow() was last called.
+    bool isCodeRunning() const { return follower_.isRunning(); }
+
     void goTo(Time time);
 
-    /// Lays what stands now into `universes`: of universes that others give as well, the highest level of
-    /// each slot counts.
+    /// Lays what stands now into `universes`. Of universes that others give as well, the highest level of
+    /// each slot counts, or (merge = "ltp") all levels of whoever changed any last.
     void mergeInto(protocol::UniverseSet& universes, protocol::TimePoint now);
 
     Time time() const { return player_.time(); }
@@ -40,11 +49,26 @@ class Playback {
 
     bool isPlaying = true;
     bool loops = false;
+    bool followsTimeCode = false;  ///< Whether to follow() rather than to advance().
 
  private:
+    /// The levels of a universe that others give as well.
+    struct Contest {
+        protocol::Slots ofFile{};
+        protocol::Slots ofOthers{};
+        bool isFileLatest = true;
+    };
+
+    bool isLatest(protocol::UniverseId id, const protocol::Universe& look, const protocol::Universe& others);
+    void merge(protocol::UniverseId id, const protocol::Universe& look, protocol::Universe& others);
+
     std::filesystem::path file_;
     protocol::RecordingPlayer player_;
     protocol::UniverseSet looks_;
+    protocol::MergeMode mergeMode_;
+    std::map<protocol::UniverseId, Contest> contests_;  ///< With MergeMode::kLatest.
+    TimeCodeFollower follower_;
+    Time timeCodeStart_;  ///< The time code at which the recording begins.
 };
 
 }  // namespace hazer::app

@@ -7,14 +7,18 @@ namespace {
 
 class ArtNetOutput : public SendOutput {
  public:
-    ArtNetOutput(const std::string& address, std::uint16_t port, std::vector<std::uint16_t> portAddresses)
-        : sender_(address, port), portAddresses_(std::move(portAddresses)) {}
+    ArtNetOutput(const std::string& address, std::uint16_t port, std::vector<std::uint16_t> portAddresses,
+                 bool synchronizes)
+        : sender_(address, port), portAddresses_(std::move(portAddresses)), synchronizes_(synchronizes) {}
 
     void sendFrame(const protocol::Slots& slots, protocol::TimePoint) override {
         for (const std::uint16_t portAddress : portAddresses_) {
             sender_.send(portAddress, slots);
             ++packetCount_;
         }
+        if (!synchronizes_) return;
+        sender_.sendSync();
+        ++packetCount_;
     }
 
     std::uint64_t packetCount() const override { return packetCount_; }
@@ -22,6 +26,7 @@ class ArtNetOutput : public SendOutput {
  private:
     protocol::ArtNetSender sender_;
     std::vector<std::uint16_t> portAddresses_;
+    bool synchronizes_;
     std::uint64_t packetCount_ = 0;
 };
 
@@ -52,8 +57,8 @@ class SacnOutput : public SendOutput {
 }  // namespace
 
 std::unique_ptr<SendOutput> artNetOutput(const std::string& address, std::uint16_t port,
-                                         std::vector<std::uint16_t> portAddresses) {
-    return std::make_unique<ArtNetOutput>(address, port, std::move(portAddresses));
+                                         std::vector<std::uint16_t> portAddresses, bool synchronizes) {
+    return std::make_unique<ArtNetOutput>(address, port, std::move(portAddresses), synchronizes);
 }
 
 std::unique_ptr<SendOutput> sacnOutput(const protocol::SacnSenderConfig& config,

@@ -33,9 +33,9 @@ class SendOutput {
     virtual std::uint64_t packetCount() const = 0;
 };
 
-/// ArtDmx for every universe with every frame.
+/// ArtDmx for every universe with every frame; with `synchronizes`, an ArtSync after them.
 std::unique_ptr<SendOutput> artNetOutput(const std::string& address, std::uint16_t port,
-                                         std::vector<std::uint16_t> portAddresses);
+                                         std::vector<std::uint16_t> portAddresses, bool synchronizes);
 
 /// sACN: changes with their repeats, then keep-alive; universe discovery; termination at the end.
 /// `slotPriorities` may be empty.

@@ -36,7 +36,7 @@ Session::Session(Show show, const SessionOptions& options)
     for (const std::string& overlap : patch_.overlaps()) spdlog::warn("{}: {}", show_.file.string(), overlap);
     patch_.settle();
     play(options);
-    if (options.listen) inputs_.listen(options.ports);
+    if (options.listen) inputs_.listen({.ports = options.ports});
 }
 
 void Session::play(const SessionOptions& options) {
@@ -55,7 +55,12 @@ void Session::advance(double dtS) {
     const protocol::TimePoint start = protocol::Clock::now();
     inputs_.latch(latched_, start);
     for (const auto& playback : playbacks_) {
-        playback->advance(dtS);
+        // Where nothing listens, as for a film, no time code can come: the recording plays by itself.
+        if (playback->followsTimeCode && inputs_.hearsTimeCode()) {
+            playback->follow(inputs_.artNet().timeCode, start);
+        } else {
+            playback->advance(dtS);
+        }
         playback->mergeInto(latched_, start);
     }
     patch_.decode(latched_);

@@ -212,6 +212,20 @@ void refuseRepeatedNames(const Show& show) {
     for (const ShowLight& light : show.lights) take(light.name, light.line, "fixture or light");
 }
 
+/// A show without inputs listens to Art-Net as soon as a recording follows its time code.
+void refuseUnheardTimeCode(const Show& show) {
+    const auto isArtNet = [](const ShowInput& input) {
+        return input.transport == protocol::Transport::kArtNet;
+    };
+    if (show.inputs.empty() || std::ranges::any_of(show.inputs, isArtNet)) return;
+    for (const ShowRecording& recording : show.recordings) {
+        if (recording.clock != PlaybackClock::kTimeCode) continue;
+        failInShow(show.file, recording.line,
+                   "time code comes by Art-Net, which no input of the show listens to; add an [[input]] with "
+                   "protocol = \"artnet\" or take follow out");
+    }
+}
+
 void readLists(TomlReader& reader, Show& show) {
     const std::filesystem::path folder = show.file.parent_path();
     for (TomlReader& input : reader.tables("input")) {
@@ -222,6 +236,7 @@ void readLists(TomlReader& reader, Show& show) {
         }
     }
     refuseContradictions(show.inputs, show.file);
+    refuseUnheardTimeCode(show);
     for (TomlReader& camera : reader.tables("camera")) show.cameras.push_back(readCamera(camera));
     for (TomlReader& fixture : reader.tables("fixture")) show.fixtures.push_back(readFixture(fixture));
     for (TomlReader& light : reader.tables("light")) show.lights.push_back(readLight(light, folder));
@@ -264,6 +279,12 @@ std::string readText(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+bool followsTimeCode(const Show& show) {
+    return std::ranges::any_of(show.recordings, [](const ShowRecording& recording) {
+        return recording.clock == PlaybackClock::kTimeCode;
+    });
+}
 
 const ShowCamera& Show::camera(std::string_view name) const {
     std::vector<std::string> names;

@@ -106,6 +106,9 @@ struct Show {
     const ShowCamera& camera(std::string_view name) const;
 };
 
+/// Whether a recording of the show follows the time code of Art-Net.
+bool followsTimeCode(const Show& show);
+
 /// Parses the text of a show. `file` is used in messages and to resolve relative paths; nothing is opened.
 /// Throws ShowError.
 Show parseShow(std::string_view text, const std::filesystem::path& file);

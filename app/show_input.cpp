@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/toml_reader.h"
@@ -10,6 +11,7 @@
 namespace hazer::app {
 namespace {
 
+// Those that have a transport in its order; "file" is app/show_recording.h's.
 const std::vector<std::string> kInputProtocols{"artnet", "sacn", "usb", "file"};
 const std::vector<std::string> kMergeModes{"htp", "ltp"};  // in the order of protocol::MergeMode
 const std::vector<std::string> kPreviewRules{"both", "live", "preview"};  // of protocol::PreviewRule
@@ -36,14 +38,12 @@ void readArtNet(TomlReader& reader, ShowInput& input) {
 }
 
 void readSacn(TomlReader& reader, ShowInput& input) {
-    input.transport = protocol::Transport::kSacn;
     input.interface = reader.text("interface", "");
     input.preview = static_cast<protocol::PreviewRule>(reader.choice("preview", kPreviewRules, 0));
-    input.port = static_cast<std::uint16_t>(reader.integer("port", protocol::kSacnPort, {0, 65535}));
+    input.port = static_cast<std::uint16_t>(reader.integer("port", input.port, {0, 65535}));
 }
 
 void readUsb(TomlReader& reader, ShowInput& input) {
-    input.transport = protocol::Transport::kDmx;
     input.usbSerial = reader.text("serial", "");
     if (reader.has("universe"))
         input.usbUniverse = static_cast<std::uint16_t>(reader.requiredInteger("universe", {1, 65535}));
@@ -55,19 +55,35 @@ bool mergesAlike(const ShowInput& a, const ShowInput& b) {
 
 }  // namespace
 
-ShowInput readInput(TomlReader& reader) {
+ShowInput inputOf(protocol::Transport transport) {
     ShowInput input;
+    input.transport = transport;
+    if (transport == protocol::Transport::kSacn) input.port = protocol::kSacnPort;
+    return input;
+}
+
+protocol::MergeRules readMerging(TomlReader& reader) {
+    protocol::MergeRules rules;
+    rules.mode = static_cast<protocol::MergeMode>(reader.choice("merge", kMergeModes, 0));
+    rules.loss = readLoss(reader);
+    return rules;
+}
+
+ShowInput readInput(TomlReader& reader) {
+    constexpr std::array kTransports{protocol::Transport::kArtNet, protocol::Transport::kSacn,
+                                     protocol::Transport::kDmx};
+    ShowInput input = inputOf(kTransports[reader.choice("protocol", kInputProtocols, 0)]);
     input.line = reader.line();
-    const std::string& protocol = kInputProtocols[reader.choice("protocol", kInputProtocols, 0)];
-    if (protocol == "usb") {
+    if (input.transport == protocol::Transport::kDmx) {
         readUsb(reader, input);
-    } else if (protocol == "sacn") {
+    } else if (input.transport == protocol::Transport::kSacn) {
         readSacn(reader, input);
     } else {
         readArtNet(reader, input);
     }
-    input.merge = static_cast<protocol::MergeMode>(reader.choice("merge", kMergeModes, 0));
-    input.loss = readLoss(reader);
+    const protocol::MergeRules rules = readMerging(reader);
+    input.merge = rules.mode;
+    input.loss = rules.loss;
     reader.refuseUnknownKeys();
     return input;
 }

@@ -30,6 +30,12 @@ struct ShowInput {
     std::size_t line = 0;       ///< In the show file.
 };
 
+/// One that says nothing but its transport.
+ShowInput inputOf(protocol::Transport transport);
+
+/// Reads the keys that every input has for merging and loss: merge, on_loss, fade_s. Throws ShowError.
+protocol::MergeRules readMerging(TomlReader& reader);
+
 /// Reads one [[input]]. Throws ShowError.
 ShowInput readInput(TomlReader& reader);
 

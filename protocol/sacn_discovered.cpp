@@ -1,6 +1,8 @@
 #include "protocol/sacn_discovered.h"
 
+#include <algorithm>
 #include <bit>
+#include <functional>
 
 #include "protocol/endpoint_text.h"
 #include "protocol/printable_text.h"
@@ -40,6 +42,15 @@ std::vector<SacnDiscoveredSource> SacnDiscoveredSources::status(TimePoint now) c
             {cid, source->name, addressText(source->from), listOf(source->universes), source->lastSeen});
     }
     return all;
+}
+
+std::vector<std::uint16_t> SacnDiscoveredSources::universes(TimePoint now) const {
+    UniverseBits all{};
+    for (const auto& [cid, source] : sources_) {
+        if (now - source->lastSeen > kForgetAfter) continue;
+        std::ranges::transform(all, source->universes, all.begin(), std::bit_or{});
+    }
+    return listOf(all);
 }
 
 std::vector<std::uint16_t> SacnDiscoveredSources::listOf(const UniverseBits& bits) {

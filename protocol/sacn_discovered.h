@@ -40,6 +40,9 @@ class SacnDiscoveredSources {
     /// Those seen within kForgetAfter, ascending by CID.
     std::vector<SacnDiscoveredSource> status(TimePoint now) const;
 
+    /// The universes of all of those, each once, ascending.
+    std::vector<std::uint16_t> universes(TimePoint now) const;
+
  private:
     /// A bit for each universe, in words, so that a display may ask for all of them often.
     using UniverseBits = std::array<std::uint64_t, kMaxSacnUniverse / 64 + 1>;

@@ -46,6 +46,9 @@ class SacnListener {
     /// Who announces which universes, as it stands at `now`.
     std::vector<SacnDiscoveredSource> discovered(TimePoint now) const { return discovered_.status(now); }
 
+    /// The universes that anybody announces at `now`, ascending.
+    std::vector<std::uint16_t> announcedUniverses(TimePoint now) const { return discovered_.universes(now); }
+
     /// Universes that came by the multicast group of another one. They are taken all the same, since the
     /// packet names its universe; the sender is set up wrongly and other receivers will not hear it.
     const std::set<std::uint16_t>& universesOfWrongGroups() const { return wrongGroups_; }

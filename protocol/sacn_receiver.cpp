@@ -1,5 +1,7 @@
 #include "protocol/sacn_receiver.h"
 
+#include <fmt/format.h>
+
 #include <asio/io_context.hpp>
 #include <asio/steady_timer.hpp>
 #include <map>
@@ -86,14 +88,30 @@ struct SacnReceiver::Impl {
         socketCount = sockets.socketCount();
     }
 
-    // Universes, what they say that they are synchronized by, and discovery.
+    // Universes, what they say that they are synchronized by, discovery, and what it has told.
     std::set<std::uint16_t> numbers() {
         std::set<std::uint16_t> all(config.universes.begin(), config.universes.end());
         all.insert(kSacnDiscoveryUniverse);
         const std::lock_guard lock(mutex);
         for (const SacnSyncStatus& one : listener.syncTable().status(Clock::now())) all.insert(one.address);
         joinedSyncRevision = listener.syncTable().revision();
+        if (config.joinsAnnounced) all.merge(announced());
         return all;
+    }
+
+    // The mutex is held.
+    std::set<std::uint16_t> announced() {
+        const std::vector<std::uint16_t> all = listener.announcedUniverses(Clock::now());
+        if (all.size() <= kMostAnnounced) return {all.begin(), all.end()};
+        noticeTooManyAnnounced();
+        return {all.begin(), all.begin() + kMostAnnounced};
+    }
+
+    void noticeTooManyAnnounced() {
+        if (std::exchange(hasNoticedTooMany, true) || !config.notice) return;
+        config.notice(fmt::format(
+            "sources announce more sACN universes than the {} that are listened to; name those that you want",
+            kMostAnnounced));
     }
 
     void noticeNoMulticast() {
@@ -164,6 +182,7 @@ struct SacnReceiver::Impl {
     std::uint64_t joinedSyncRevision = 0;
     std::optional<NetworkInterface> chosenInterface;
     bool hasNoticedNoMulticast = false;
+    bool hasNoticedTooMany = false;
     SacnSockets sockets;
     const std::uint16_t port;  // read by others, who must not touch the sockets
     asio::steady_timer timer;

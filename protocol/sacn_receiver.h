@@ -17,6 +17,9 @@ struct SacnReceiverConfig {
     /// 1..63999 each: their multicast groups are joined, by IPv4 and IPv6, and that of universe discovery.
     /// Unicast brings universes whether they are listed or not.
     std::vector<std::uint16_t> universes{};
+    /// Whether the groups of universes that sources announce (universe discovery) are joined as well, at most
+    /// SacnReceiver::kMostAnnounced of them, the lowest numbers.
+    bool joinsAnnounced = false;
     /// The name or an address of the only interface to listen on; empty: all. Loopback is heard by unicast
     /// alone, and then only from this machine.
     std::string interface {};
@@ -43,6 +46,9 @@ struct SacnReport {
 /// (SO_REUSEADDR). Groups are joined anew when interfaces come and go.
 class SacnReceiver {
  public:
+    /// Anybody can announce all 63999 universes, and each takes a place in the switch.
+    static constexpr std::size_t kMostAnnounced = 256;
+
     /// Throws NetworkError if the interface is not there or the port cannot be bound. `store` must outlive
     /// it.
     SacnReceiver(SacnReceiverConfig config, UniverseStore& store);

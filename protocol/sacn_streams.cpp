@@ -26,7 +26,7 @@ bool SacnStreams::take(const SacnStreamKey& key, std::uint8_t sequence, std::str
     auto found = streams_.find(key);
     const bool isNew = found == streams_.end();
     if (isNew) {
-        if (!makeRoom(now)) return true;
+        if (!sweep_.makeRoom(streams_, kCapacity, kForgetAfter, now)) return true;
         found = streams_.emplace(key, Stream{}).first;
     }
     Stream& stream = found->second;
@@ -42,16 +42,6 @@ void SacnStreams::pass(const SacnStreamKey& key, std::uint8_t sequence, TimePoin
     if (found == streams_.end()) return;
     found->second.sequence = sequence;
     found->second.time = now;
-}
-
-// Forgets the streams that have been silent. At most once every kForgetAfter, so that a flood of made-up
-// sources does not buy a walk through the whole table with each packet.
-bool SacnStreams::makeRoom(TimePoint now) {
-    if (streams_.size() < kCapacity) return true;
-    if (now < nextSweep_) return false;
-    nextSweep_ = now + kForgetAfter;
-    std::erase_if(streams_, [&](const auto& item) { return now - item.second.time > kForgetAfter; });
-    return streams_.size() < kCapacity;
 }
 
 }  // namespace hazer::protocol

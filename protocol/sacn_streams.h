@@ -11,6 +11,7 @@
 #include "protocol/dmx.h"
 #include "protocol/endpoint.h"
 #include "protocol/sacn.h"
+#include "protocol/table_sweep.h"
 
 namespace hazer::protocol {
 
@@ -55,10 +56,8 @@ class SacnStreams {
         std::array<char, kSacnNameSize> name{};
     };
 
-    bool makeRoom(TimePoint now);
-
     std::map<SacnStreamKey, Stream> streams_;
-    TimePoint nextSweep_{};
+    TableSweep sweep_;
 };
 
 }  // namespace hazer::protocol

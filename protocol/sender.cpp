@@ -27,6 +27,12 @@ struct ArtNetSender::Impl {
         if (failure) throwNetworkError("send to", destination, failure);
     }
 
+    void send(std::span<const std::uint8_t> datagram) {
+        std::error_code failure;
+        socket.send_to(asio::buffer(datagram.data(), datagram.size()), destination, 0, failure);
+        if (failure) throwNetworkError("send to", destination, failure);
+    }
+
     asio::io_context context;
     asio::ip::udp::socket socket{context};
     asio::ip::udp::endpoint destination;
@@ -43,10 +49,11 @@ ArtNetSender::~ArtNetSender() = default;
 void ArtNetSender::send(std::uint16_t portAddress, std::span<const std::uint8_t> slots) {
     std::uint8_t& sequence = impl_->lastSequences[portAddress];
     sequence = nextSequence(sequence);
-    std::error_code failure;
-    impl_->socket.send_to(asio::buffer(packArtDmx(portAddress, sequence, slots)), impl_->destination, 0,
-                          failure);
-    if (failure) throwNetworkError("send to", impl_->destination, failure);
+    impl_->send(packArtDmx(portAddress, sequence, slots));
+}
+
+void ArtNetSender::sendSync() {
+    impl_->send(packArtSync());
 }
 
 }  // namespace hazer::protocol

@@ -1,4 +1,4 @@
-// Sends ArtDmx over UDP.
+// Sends ArtDmx and ArtSync over UDP.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace hazer::protocol {
 
-/// Sends ArtDmx to one address. Keeps a sequence of its own per Port-Address, 1..255. Not thread-safe.
+/// Sends to one address. Keeps a sequence of its own per Port-Address, 1..255. Not thread-safe.
 class ArtNetSender {
  public:
     /// Throws NetworkError if the address is not an IPv4 address or the socket cannot be opened. Broadcast
@@ -22,6 +22,10 @@ class ArtNetSender {
     /// Sends 1..512 slots (an odd count is padded with a 0, as Art-Net asks). Port-Address 0..32767.
     /// Throws NetworkError if the system cannot send there, as when no network leads to the address.
     void send(std::uint16_t portAddress, std::span<const std::uint8_t> slots);
+
+    /// Sends an ArtSync: receivers show what they hold back of ours, all at once. Throws NetworkError as
+    /// send().
+    void sendSync();
 
  private:
     struct Impl;

@@ -7,6 +7,7 @@
 
 #include "protocol/dmx.h"
 #include "protocol/endpoint.h"
+#include "protocol/table_sweep.h"
 
 namespace hazer::protocol {
 
@@ -37,10 +38,8 @@ class SequenceTable {
         TimePoint time;
     };
 
-    bool makeRoom(TimePoint now);
-
     std::map<StreamKey, Entry> entries_;
-    TimePoint nextSweep_{};
+    TableSweep sweep_;
 };
 
 }  // namespace hazer::protocol

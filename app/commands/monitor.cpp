@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "app/commands/command.h"
-#include "app/commands/port_options.h"
+#include "app/commands/watched_inputs.h"
 #include "app/inputs.h"
 #include "app/interrupt.h"
 #include "app/monitor.h"
@@ -29,8 +29,7 @@ constexpr const char* kClearBelow = "\x1b[J";
 constexpr const char* kClearScreen = "\x1b[2J";
 
 struct MonitorOptions {
-    std::string show;
-    InputPorts ports;
+    WatchedInputs watched;
     std::optional<double> seconds;
     bool json = false;
     bool follow = false;
@@ -40,8 +39,8 @@ struct MonitorOptions {
 class Monitor {
  public:
     explicit Monitor(const MonitorOptions& options)
-        : options_(options), inputs_(options.show.empty() ? Show{} : loadShow(options.show)) {
-        inputs_.listen(options.ports);
+        : options_(options), inputs_(showToWatch(options.watched)) {
+        inputs_.listen(listenOptionsOf(options.watched));
         fmt::print(stderr, "listening to {}{}\n", inputs_.description(),
                    repeats() && !options.seconds ? "; Ctrl-C ends it" : "");
     }
@@ -99,6 +98,7 @@ class Monitor {
         view.now = protocol::Clock::now();
         view.universes = inputs_.status(view.now);
         view.artNet = inputs_.artNet();
+        view.sacn = inputs_.sacn();
         view.usbDevices = inputs_.usbDevices();
         view.timeS = timeNowS();
         for (const protocol::UniverseStatus& universe : view.universes) {
@@ -127,17 +127,16 @@ void addMonitorCommand(CLI::App& program, Command& chosen) {
         *command,
         "  hazer monitor                          whatever arrives, until Ctrl-C\n"
         "  hazer monitor myshow.toml --slots 1    the inputs of a show, with the values of universe 1\n"
+        "  hazer monitor --universe 1-8           joins sACN universes that nobody announces, too\n"
         "  hazer monitor --json --for 5           one JSON document after five seconds\n"
         "  hazer monitor --json --follow          one line of JSON a second\n");
-    command->add_option("SHOW", options->show,
-                        "The show whose inputs are heard; Art-Net on every interface unless given");
+    addWatchedInputs(*command, options->watched);
     command->add_flag("--json", options->json, "JSON in place of a table");
     command->add_flag("--follow", options->follow, "With --json: a line a second, until Ctrl-C or --for");
     command->add_option("--slots", options->slots, "Show the values of this universe, too; may be repeated")
         ->check(CLI::Range(0, 65535));
     command->add_option("--for", options->seconds, "Seconds; 3 unless given, in a terminal until Ctrl-C")
         ->check(numberFrom(0.1, 1e6));
-    addPortOptions(*command, options->ports);
     command->callback([options, &chosen] { chosen = [options] { return Monitor(*options).run(); }; });
 }
 

@@ -11,78 +11,48 @@
 #include <thread>
 
 #include "app/commands/command.h"
+#include "app/commands/watched_inputs.h"
 #include "app/interrupt.h"
 #include "app/moment.h"
-#include "app/show_universes.h"
 #include "app/status_line.h"
-#include "protocol/receiver.h"
 #include "protocol/recording/recorder.h"
 #include "protocol/recording/usb_wrapping.h"
-#include "protocol/sacn_receiver.h"
-#include "protocol/universe_store.h"
-#include "protocol/usb/usb_input.h"
 
 namespace hazer::app {
 namespace {
 
 struct RecordOptions {
-    std::string show;
+    WatchedInputs watched;
     std::string out;
-    std::vector<std::uint16_t> sacnUniverses;
     std::optional<double> seconds;
-    std::optional<std::uint16_t> port;
-    std::optional<std::uint16_t> sacnPort;
     bool replaces = false;
     bool isJson = false;
 };
 
-std::vector<protocol::UniverseId> wantedBy(const RecordOptions& options) {
-    std::vector<protocol::UniverseId> universes;
-    if (!options.show.empty()) universes = universesOf(loadShow(options.show));
-    for (const std::uint16_t number : options.sacnUniverses) {
-        universes.push_back({protocol::Transport::kSacn, number});
-    }
-    return universes;
-}
-
-/// Everything that can be recorded, each on a thread of its own, into one file.
-class Sources {
+/// Everything that arrives, each input on a thread of its own, into one file.
+class Tapped {
  public:
-    Sources(const RecordOptions& options, protocol::Recorder& recorder) : usbRecording_(recorder) {
-        const auto tap = [&recorder](const protocol::Datagram& datagram) { recorder.record(datagram); };
-        const std::vector<protocol::UniverseId> universes = wantedBy(options);
-        protocol::ReceiverConfig artNet;
-        artNet.port = options.port.value_or(artNet.port);
-        artNet.portAddresses = numbersOn(protocol::Transport::kArtNet, universes);
-        artNet.tap = tap;
-        artNet_.emplace(artNet, store_);
-        protocol::SacnReceiverConfig sacn;
-        sacn.port = options.sacnPort.value_or(sacn.port);
-        sacn.universes = numbersOn(protocol::Transport::kSacn, universes);
-        sacn.tap = tap;
-        sacn.notice = [](const std::string& sentence) { spdlog::warn("{}", sentence); };
-        sacn_.emplace(sacn, store_);
-        if (protocol::UsbInput::isBuiltIn()) usb_.emplace(usbConfig(), store_);
+    Tapped(const WatchedInputs& watched, protocol::Recorder& recorder)
+        : usbRecording_(recorder), inputs_(showToWatch(watched)) {
+        ListenOptions options = listenOptionsOf(watched);
+        options.tap = [&recorder](const protocol::Datagram& datagram) { recorder.record(datagram); };
+        options.usbTap = [this](protocol::UniverseId universe, std::span<const std::uint8_t> slots,
+                                protocol::WallTime time) { usbRecording_.record(universe, slots, time); };
+        inputs_.listen(options);
     }
+
+    std::string description() const { return inputs_.description(); }
 
  private:
-    protocol::UsbConfig usbConfig() {
-        protocol::UsbConfig config;
-        config.tap = [this](protocol::UniverseId universe, std::span<const std::uint8_t> slots,
-                            protocol::WallTime time) { usbRecording_.record(universe, slots, time); };
-        return config;
-    }
-
     protocol::UsbRecording usbRecording_;
-    protocol::UniverseStore store_;
-    std::optional<protocol::Receiver> artNet_;
-    std::optional<protocol::SacnReceiver> sacn_;
-    std::optional<protocol::UsbInput> usb_;
+    Inputs inputs_;
 };
 
 /// Until Ctrl-C, the end of the time, or a disk that takes no more.
 double recordUntilDone(const RecordOptions& options, protocol::Recorder& recorder) {
-    const Sources sources(options, recorder);
+    const Tapped tapped(options.watched, recorder);
+    fmt::print(stderr, "recording {} to {}{}\n", tapped.description(), options.out,
+               options.seconds ? "" : "; Ctrl-C ends it");
     const Interrupt interrupt;
     StatusLine line;
     const protocol::TimePoint start = protocol::Clock::now();
@@ -130,7 +100,6 @@ int runRecord(const RecordOptions& options) {
     // A limit of the system on the size of files shall end the recording with a sentence, not the program.
     ::signal(SIGXFSZ, SIG_IGN);
     protocol::Recorder recorder({.file = options.out, .replacesFile = options.replaces});
-    fmt::print(stderr, "recording to {}{}\n", options.out, options.seconds ? "" : "; Ctrl-C ends it");
     const double seconds = recordOrRemove(options, recorder);
     recorder.finish();
     const protocol::RecorderStatus status = recorder.status();
@@ -150,21 +119,13 @@ void addRecordCommand(CLI::App& program, Command& chosen) {
     CLI::App* command =
         program.add_subcommand("record", "Record what arrives by Art-Net, sACN and USB, for Wireshark too.");
     beginHelpWith(*command,
-                  "  hazer record --out night.pcap                 until Ctrl-C\n"
-                  "  hazer record --out night.pcap myshow.toml     asks desks for the universes of a show\n"
-                  "  hazer record --out night.pcap --universe 1 --universe 2 --for 60\n");
-    command->add_option("SHOW", options->show, "A show (.toml) whose universes to ask for");
+                  "  hazer record --out night.pcap                 whatever arrives, until Ctrl-C\n"
+                  "  hazer record --out night.pcap myshow.toml     what the inputs of a show hear\n"
+                  "  hazer record --out night.pcap --universe 1-8 --for 60\n");
+    addWatchedInputs(*command, options->watched);
     command->add_option("--out", options->out, "The file, a pcap with nanoseconds")->required();
-    command
-        ->add_option("--universe", options->sacnUniverses,
-                     "An sACN universe, 1..63999, to join the multicast group of; may be repeated")
-        ->check(CLI::Range(1, 63999));
     command->add_option("--for", options->seconds, "How many seconds; until Ctrl-C unless given")
         ->check(numberFrom(0.001, 8640000.0));
-    command->add_option("--port", options->port, "UDP port of Art-Net; 6454 unless given")
-        ->check(CLI::Range(0, 65535));
-    command->add_option("--sacn-port", options->sacnPort, "UDP port of sACN; 5568 unless given")
-        ->check(CLI::Range(0, 65535));
     command->add_flag("--force", options->replaces, "Replace the file if there is one");
     command->add_flag("--json", options->isJson, "Print the summary as JSON");
     command->callback([options, &chosen] { chosen = [options] { return runRecord(*options); }; });

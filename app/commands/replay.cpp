@@ -42,10 +42,10 @@ std::string summaryOf(const protocol::ResenderStatus& status, bool isJson) {
 
 int runReplay(const ReplayOptions& options) {
     protocol::ResenderConfig config = options.config;
-    config.from = options.from.value_or(protocol::RecordingTime(0));
+    config.rules.from = options.from.value_or(protocol::RecordingTime(0));
     protocol::Resender resender(options.file, options.map, config);
     fmt::print(stderr, "sending {} to {}{}\n", options.file, config.to,
-               config.loops ? "; Ctrl-C ends it" : "");
+               config.rules.loops ? "; Ctrl-C ends it" : "");
     {
         const Interrupt interrupt;
         StatusLine line;
@@ -81,9 +81,10 @@ void addReplayCommand(CLI::App& program, Command& chosen) {
                      "UDP port; 6454 for Art-Net and 5568 for sACN unless given")
         ->check(CLI::Range(1, 65535));
     command
-        ->add_option("--rate", options->config.rate, "Times faster than recorded, 0.01..100; 1 unless given")
+        ->add_option("--rate", options->config.rules.rate,
+                     "Times faster than recorded, 0.01..100; 1 unless given")
         ->check(numberFrom(0.01, 100.0));
-    command->add_flag("--loop", options->config.loops, "Begin again at the end, until Ctrl-C");
+    command->add_flag("--loop", options->config.rules.loops, "Begin again at the end, until Ctrl-C");
     addMomentOption(*command, "--from", options->from, "Begin there, with what stood then; 0 unless given");
     addFrameMapOptions(*command, options->map, protocol::Transport::kArtNet, false);
     command->add_flag("--json", options->isJson, "Print the summary as JSON");

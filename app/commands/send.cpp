@@ -32,7 +32,8 @@ struct SendOptions {
     std::string name = "hazer";
     std::uint8_t priority = protocol::kDefaultPriority;
     std::vector<std::string> slotPriorities;  // "SLOT=PRIORITY"
-    std::uint16_t syncAddress = 0;
+    bool synchronizes = false;
+    std::uint16_t syncAddress = 0;  // of sACN, where it is needed
     bool isPreview = false;
 
     bool isSacn() const { return protocol == "sacn"; }
@@ -148,7 +149,8 @@ std::string artNetAddressOf(const SendOptions& options) {
 std::unique_ptr<SendOutput> outputOf(const SendOptions& options) {
     const std::vector<std::uint16_t> universes = universesOf(options);
     if (options.isSacn()) return sacnOutput(sacnConfigOf(options), universes, slotPrioritiesOf(options));
-    return artNetOutput(artNetAddressOf(options), options.port.value_or(protocol::kArtNetPort), universes);
+    return artNetOutput(artNetAddressOf(options), options.port.value_or(protocol::kArtNetPort), universes,
+                        options.synchronizes);
 }
 
 std::string destinationOf(const SendOptions& options) {
@@ -172,9 +174,27 @@ int runSend(const SendOptions& options) {
 void refuseSacnOptionsOfArtNet(const CLI::App& command, const SendOptions& options) {
     if (options.isSacn()) return;
     for (const char* name :
-         {"--priority", "--slot-priority", "--sync", "--preview", "--name", "--interface", "--ipv6"}) {
+         {"--priority", "--slot-priority", "--preview", "--name", "--interface", "--ipv6"}) {
         if (command.count(name) > 0) throw CLI::ValidationError(name, "needs --protocol sacn");
     }
+}
+
+/// Empty: --sync stood alone.
+void readSync(const std::string& address, SendOptions& options) {
+    options.synchronizes = true;
+    if (address.empty()) return;
+    const auto number = parseNumberList(address, 1, protocol::kMaxSacnUniverse);
+    if (!number || number->size() != 1)
+        throw CLI::ValidationError("--sync", fmt::format("'{}' is no address 1..63999", address));
+    options.syncAddress = number->front();
+}
+
+void checkSync(const SendOptions& options) {
+    if (!options.synchronizes) return;
+    if (options.isSacn() && options.syncAddress == 0)
+        throw CLI::ValidationError("--sync", "needs an address 1..63999 with --protocol sacn");
+    if (!options.isSacn() && options.syncAddress != 0)
+        throw CLI::ValidationError("--sync", "takes no address without --protocol sacn");
 }
 
 void addWhatOptions(CLI::App& command, SendOptions& options) {
@@ -215,9 +235,12 @@ void addSourceOptions(CLI::App& command, SendOptions& options) {
             "sACN: per-address priority of a slot, SLOT=PRIORITY: 0 is not controlled; may be repeated")
         ->check(checkSlotPriority);
     command
-        .add_option("--sync", options.syncAddress,
-                    "sACN: synchronize all universes by this address, 1..63999")
-        ->check(CLI::Range(1, 63999));
+        .add_option_function<std::string>(
+            "--sync", [&options](const std::string& address) { readSync(address, options); },
+            "Receivers show all universes of a frame at once. Art-Net: by ArtSync; sACN: by this address, "
+            "1..63999")
+        ->type_name("[ADDRESS]")
+        ->expected(0, 1);
     command.add_flag("--preview", options.isPreview, "sACN: mark as preview data, not meant for live output");
 }
 
@@ -230,12 +253,22 @@ void addSendCommand(CLI::App& program, Command& chosen) {
                   "  hazer send --universe 1 --pattern chase     a chase to this machine until Ctrl-C\n"
                   "  hazer send --slot 1=255 --slot 5=128        two slots by hand, sent steadily\n"
                   "  hazer send --pattern full --to 2.0.0.5 --seconds 10\n"
-                  "  hazer send --protocol sacn --universes 1-64 --priority 120 --interface eth0\n");
+                  "  hazer send --universes 0-63 --sync          64 universes, shown at once\n"
+                  "  hazer send --protocol sacn --universes 1-64 --priority 120 --interface eth0\n"
+                  "  hazer replay night.pcap --to 2.0.0.5        is how a recording is sent\n");
+    command
+        ->add_option_function<std::string>(
+            "FILE",
+            [](const std::string& file) {
+                throw CLI::ValidationError(fmt::format("to send a recording, write: hazer replay {}", file));
+            })
+        ->group("");  // not shown in --help
     addWhatOptions(*command, *options);
     addWhereOptions(*command, *options);
     addSourceOptions(*command, *options);
     command->callback([options, command, &chosen] {
         refuseSacnOptionsOfArtNet(*command, *options);
+        checkSync(*options);
         universesOf(*options);  // so that a wrong list is wrong usage
         chosen = [options] { return runSend(*options); };
     });

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/moment.h"
+#include "app/monitor.h"
 
 namespace hazer::app {
 namespace {
@@ -31,14 +32,32 @@ void drawScrubber(Playback& playback) {
     }
 }
 
-void drawPlayer(Playback& playback) {
+/// What the time code says, where one can come; a recording that follows it is not to be moved by hand.
+void drawTimeCode(Playback& playback, const Inputs& inputs) {
+    if (!inputs.hearsTimeCode()) return;
+    ImGui::SameLine();
+    ImGui::Checkbox("Follow time code", &playback.followsTimeCode);
+    if (!playback.followsTimeCode) return;
+    const auto code = inputs.artNet().timeCode;
+    if (!code) return ImGui::TextDisabled("waits for a time code");
+    ImGui::TextDisabled("%s, %s", timeCodeText(code->code).c_str(),
+                        playback.isCodeRunning() ? "runs" : "stands");
+}
+
+void drawPlayer(Playback& playback, const Inputs& inputs) {
     ImGui::TextUnformatted(playback.name().c_str());
+    const bool isLed = playback.followsTimeCode && inputs.hearsTimeCode();
+    ImGui::BeginDisabled(isLed);
     if (ImGui::Button(playback.isPlaying ? "Pause" : "Play")) playback.isPlaying = !playback.isPlaying;
     ImGui::SameLine();
     if (ImGui::Button("To start")) playback.goTo(Playback::Time(0));
     ImGui::SameLine();
     ImGui::Checkbox("Loop", &playback.loops);
+    ImGui::EndDisabled();
+    drawTimeCode(playback, inputs);
+    ImGui::BeginDisabled(isLed);
     drawScrubber(playback);
+    ImGui::EndDisabled();
 }
 
 }  // namespace
@@ -46,7 +65,7 @@ void drawPlayer(Playback& playback) {
 void drawPlayers(Session& session) {
     for (const auto& playback : session.playbacks()) {
         ImGui::PushID(playback.get());
-        drawPlayer(*playback);
+        drawPlayer(*playback, session.inputs());
         ImGui::PopID();
     }
 }

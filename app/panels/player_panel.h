@@ -1,4 +1,4 @@
-// The panel of recordings that play: stop, scrub, loop.
+// The panel of recordings that play: stop, scrub, loop, follow a time code.
 #pragma once
 
 #include "app/session.h"

@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "protocol/byte_reader.h"
+#include "protocol/recording/udp_header.h"
 
 namespace hazer::protocol {
 namespace {
@@ -16,8 +17,6 @@ constexpr std::uint32_t kLinkTypeRaw = 101;
 constexpr std::uint32_t kSnapLength = 65535;
 constexpr std::size_t kIpv4HeaderSize = 20;
 constexpr std::size_t kIpv6HeaderSize = 40;
-constexpr std::size_t kUdpHeaderSize = 8;
-constexpr std::uint8_t kUdp = 17;
 constexpr std::uint8_t kHops = 64;
 
 void u16Little(std::vector<std::uint8_t>& out, std::uint16_t value) {

@@ -10,15 +10,14 @@
 #include <vector>
 
 #include "protocol/recording/recording.h"
+#include "protocol/recording/resend_schedule.h"
 
 namespace hazer::protocol {
 
 struct ResenderConfig {
     std::string to = "127.0.0.1";         ///< IPv4 or IPv6 address of one receiver.
     std::optional<std::uint16_t> port{};  ///< For both protocols; nothing: 6454 and 5568.
-    double rate = 1.0;                    ///< Times faster than recorded, above 0.
-    bool loops = false;
-    RecordingTime from{};  ///< Begins there, with what stood then sent first.
+    ResendRules rules{};
 };
 
 struct ResenderStatus {

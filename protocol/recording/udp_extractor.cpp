@@ -4,6 +4,7 @@
 
 #include "protocol/artnet.h"
 #include "protocol/byte_reader.h"
+#include "protocol/recording/udp_header.h"
 #include "protocol/sacn.h"
 
 namespace hazer::protocol {
@@ -11,8 +12,6 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-constexpr std::uint8_t kUdp = 17;
-constexpr std::size_t kUdpHeaderSize = 8;
 constexpr std::size_t kMaxDatagramSize = 65535;
 constexpr std::size_t kFragmentUnit = 8;  // offsets count in eight bytes
 

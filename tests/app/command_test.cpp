@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/paths.h"
+#include "protocol/receiver.h"
 #include "protocol/sacn_receiver.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -60,6 +61,12 @@ TEST(Program, wrongUsageIsExitCode1) {
     EXPECT_EQ(hazer({"send", "--protocol", "sacn", "--priority", "201"}).exitCode, 1);
     EXPECT_EQ(hazer({"send", "--protocol", "sacn", "--slot-priority", "1=201"}).exitCode, 1);
     EXPECT_EQ(hazer({"send", "--protocol", "sacn", "--sync", "0"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--protocol", "sacn", "--sync"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--protocol", "sacn", "--sync", "1-2"}).exitCode, 1);
+    EXPECT_EQ(hazer({"send", "--sync", "7000"}).exitCode, 1);
+    const test::ProcessResult recording = hazer({"send", "night.pcap"});
+    EXPECT_EQ(recording.exitCode, 1);
+    EXPECT_THAT(recording.errors, HasSubstr("hazer replay night.pcap"));
     EXPECT_THAT(hazer({"send", "--priority", "150"}).errors, HasSubstr("needs --protocol sacn"));
     EXPECT_EQ(hazer({"send", "--pattern", "rainbow"}).exitCode, 1);
     EXPECT_EQ(hazer({"send", "--slot", "513=1"}).exitCode, 1);
@@ -252,6 +259,25 @@ TEST(Send, sendsManyUniversesOfArtNet) {
     const test::ProcessResult result =
         hazer({"send", "--universes", "0-9", "--port", "49152", "--seconds", "0.5", "--rate", "20"});
     EXPECT_EQ(result.output, "100 packets sent\n");
+}
+
+TEST(Send, synchronizesArtNet) {
+    protocol::UniverseStore store;
+    protocol::ReceiverConfig config;
+    config.address = "127.0.0.1";
+    config.port = 0;
+    const protocol::Receiver receiver(config, store);
+    const test::ProcessResult result =
+        hazer({"send", "--universes", "0-9", "--sync", "--port", std::to_string(receiver.port()), "--seconds",
+               "0.5", "--rate", "20"});
+    EXPECT_EQ(result.output, "110 packets sent\n");
+    const auto patience = protocol::Clock::now() + std::chrono::seconds(10);
+    while (receiver.counters().syncs < 10 && protocol::Clock::now() < patience) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_EQ(receiver.counters().dmx, 100U);
+    EXPECT_EQ(receiver.counters().syncs, 10U);
+    EXPECT_TRUE(store.status(protocol::Clock::now()).at(9).sources.at(0).isSynchronized);
 }
 
 TEST(Send, refusesWhatIsNoAddress) {

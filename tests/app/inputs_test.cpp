@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <mutex>
+#include <set>
 #include <thread>
 
 #include "protocol/sacn_sender.h"
 #include "protocol/sender.h"
+#include "tests/support/datagram.h"
 
 namespace hazer::app {
 namespace {
@@ -31,7 +34,7 @@ TEST(Inputs, AsksForTheUniversesOfTheFixtures) {
 
 TEST(Inputs, TakesLevelsForAnyTransport) {
     Inputs inputs(showWith(""));
-    inputs.listen({.artNet = 0, .sacn = 0});
+    inputs.listen({.ports = {.artNet = 0, .sacn = 0}});
     protocol::ArtNetSender desk("127.0.0.1", inputs.port());
     desk.send(4, std::vector<std::uint8_t>{7, 8});
     protocol::UniverseSet set;
@@ -45,7 +48,7 @@ TEST(Inputs, TakesLevelsForAnyTransport) {
 
 TEST(Inputs, ALookFadesOutIfTheShowSaysSo) {
     Inputs inputs(showWith("on_loss='fade'\nfade_s=0"));
-    inputs.listen({.artNet = 0, .sacn = 0});
+    inputs.listen({.ports = {.artNet = 0, .sacn = 0}});
     protocol::ArtNetSender desk("127.0.0.1", inputs.port());
     desk.send(3, std::vector<std::uint8_t>{7, 8});
     protocol::UniverseSet set;
@@ -66,7 +69,7 @@ std::string lampOn(const std::string& where) {
 TEST(Inputs, BringSacnToItsFixtures) {
     Inputs inputs(parseShow(
         "[[input]]\nprotocol='sacn'\ninterface='lo'\n" + lampOn("protocol='sacn'\nuniverse=5"), "a.toml"));
-    inputs.listen({.artNet = 0, .sacn = 0});
+    inputs.listen({.ports = {.artNet = 0, .sacn = 0}});
     protocol::SacnSenderConfig config;
     config.to = "127.0.0.1";
     config.port = inputs.sacnPort();
@@ -85,10 +88,52 @@ TEST(Inputs, BringSacnToItsFixtures) {
 TEST(Inputs, OfAShowWithoutAnyAreArtNetForAPatchWithoutSacn) {
     for (const std::string& text : {std::string(), lampOn("universe=5")}) {
         Inputs inputs(parseShow(text, "a.toml"));
-        inputs.listen({.artNet = 0, .sacn = 0});
+        inputs.listen({.ports = {.artNet = 0, .sacn = 0}});
         EXPECT_NE(inputs.port(), 0) << text;
         EXPECT_EQ(inputs.sacnPort(), 0) << text;
     }
+}
+
+TEST(Inputs, HearTheTimeCodeThatARecordingFollows) {
+    const std::string sacn = lampOn("protocol='sacn'\nuniverse=5\n");
+    const auto hearsTimeCode = [&](const std::string& more) {
+        Inputs inputs(parseShow(sacn + "[[input]]\nprotocol='file'\npath='a.pcap'\n" + more, "a.toml"));
+        inputs.listen({.ports = {.artNet = 0, .sacn = 0}});
+        return inputs.hearsTimeCode();
+    };
+    EXPECT_FALSE(hearsTimeCode(""));
+    EXPECT_TRUE(hearsTimeCode("follow='timecode'"));
+}
+
+TEST(Inputs, OfWhateverThereIs) {
+    const std::vector<ShowInput> inputs = everyInput();
+    EXPECT_EQ(inputs.at(0).transport, protocol::Transport::kArtNet);
+    EXPECT_EQ(inputs.at(1).transport, protocol::Transport::kSacn);
+    EXPECT_EQ(inputs.at(1).port, protocol::kSacnPort);
+    EXPECT_EQ(inputs.size(), protocol::UsbInput::isBuiltIn() ? 3U : 2U);
+}
+
+/// The addresses that a recording needs come from the show: nothing outside loopback reaches these.
+TEST(Inputs, HandEverythingToATap) {
+    Inputs inputs(
+        parseShow("[[input]]\naddress='127.0.0.1'\n[[input]]\nprotocol='sacn'\ninterface='lo'", "a.toml"));
+    std::mutex mutex;
+    std::set<std::uint16_t> heardAt;
+    const auto tap = [&](const protocol::Datagram& datagram) {
+        const std::lock_guard lock(mutex);
+        heardAt.insert(datagram.to.port);
+    };
+    inputs.listen({.ports = {.artNet = 0, .sacn = 0}, .tap = tap});
+    protocol::ArtNetSender("127.0.0.1", inputs.port()).send(3, std::vector<std::uint8_t>{7});
+    test::sendDatagram(inputs.sacnPort(), "garbage is recorded, too");
+    const auto heard = [&] {
+        const std::lock_guard lock(mutex);
+        return heardAt;
+    };
+    for (int i = 0; i < 10000 && heard().size() < 2; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_EQ(heard(), (std::set<std::uint16_t>{inputs.port(), inputs.sacnPort()}));
 }
 
 }  // namespace

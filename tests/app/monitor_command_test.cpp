@@ -50,9 +50,16 @@ class Desk {
     std::thread thread_;
 };
 
-test::ProcessResult monitor(std::uint16_t port, std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "monitor");
-    arguments.insert(arguments.end(), {"--port", std::to_string(port)});
+/// Inputs that nothing from outside reaches.
+constexpr const char* kLoopback =
+    "[[input]]\naddress='127.0.0.1'\n[[input]]\nprotocol='sacn'\ninterface='lo'\n";
+
+test::ProcessResult monitor(std::uint16_t port, std::vector<std::string> arguments,
+                            const std::string& patch = "") {
+    const test::TemporaryFolder folder;
+    const std::string show = folder.write("show.toml", kLoopback + patch).string();
+    arguments.insert(arguments.begin(), {"monitor", show});
+    arguments.insert(arguments.end(), {"--port", std::to_string(port), "--sacn-port", "0"});
     const Desk desk(port);
     return test::runProcess(HAZER_PROGRAM, arguments);
 }
@@ -82,19 +89,39 @@ TEST(MonitorCommand, FollowsWithALineASecond) {
     EXPECT_EQ(last["universes"].size(), 1U);
 }
 
-TEST(MonitorCommand, HearsTheInputsOfAShow) {
-    const test::TemporaryFolder folder;
-    const std::string show = (folder.path() / "show.toml").string();
-    folder.write(
-        "show.toml",
-        "[[input]]\naddress='127.0.0.1'\n[[fixture]]\nname='a'\ngdtf='par-rgbw'\nmode='x'\nuniverse=9\n"
-        "slot=1\n");
-    const test::ProcessResult result = monitor(freePort(), {show, "--json", "--for", "0.5"});
+TEST(MonitorCommand, AsksForTheUniversesOfAShow) {
+    const test::ProcessResult result =
+        monitor(freePort(), {"--json", "--for", "0.5"},
+                "[[fixture]]\nname='a'\ngdtf='par-rgbw'\nmode='x'\nuniverse=9\nslot=1\n");
     const auto json = nlohmann::json::parse(result.output);
     ASSERT_EQ(json["universes"].size(), 2U) << result.output;
     EXPECT_EQ(json["universes"][0]["asked"], false);
     EXPECT_EQ(json["universes"][1]["universe"], 9);
     EXPECT_EQ(json["universes"][1]["asked"], true);
+}
+
+/// In a network of its own, with a cable between two interfaces. Universe 7 is announced; 300 by itself is
+/// not heard by anybody who does not ask.
+TEST(MonitorCommand, WithoutAShowHearsWhateverThereIs) {
+    const std::string script =
+        "ip link set lo up && ip link add viz0 type veth peer name viz1 && ip addr add 10.77.0.1/24 dev viz0 "
+        "&& ip link set viz0 up && ip link set viz1 up || exit 77\n"
+        "\"$0\" send --protocol sacn --universe 7 --slot 1=9 --interface viz0 --seconds 4 >&2 &\n"
+        "\"$0\" send --universe 5 --to 127.0.0.1 --seconds 4 >&2 &\n"
+        "\"$0\" monitor --json --for 3 --slots 7\n"
+        "code=$?; wait; exit $code";
+    const test::ProcessResult result =
+        test::runProcess("/usr/bin/unshare", {"-rn", "sh", "-c", script, HAZER_PROGRAM});
+    if (result.exitCode != 0 && result.output.empty())
+        GTEST_SKIP() << "no network of our own: " << result.errors;
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    const auto json = nlohmann::json::parse(result.output);
+    ASSERT_EQ(json["universes"].size(), 2U) << result.output;
+    EXPECT_EQ(json["universes"][0]["protocol"], "artnet");
+    EXPECT_EQ(json["universes"][1]["protocol"], "sacn");
+    EXPECT_EQ(json["universes"][1]["slots"][0], 9);
+    EXPECT_EQ(json["sacn"][0]["announced"][0]["universes"], nlohmann::json({7}));
+    EXPECT_THAT(result.errors, HasSubstr("listening to Art-Net on UDP port 6454, sACN on UDP port 5568"));
 }
 
 TEST(MonitorCommand, WrongUsageIsExitCode1) {
@@ -103,6 +130,8 @@ TEST(MonitorCommand, WrongUsageIsExitCode1) {
     };
     EXPECT_EQ(code({"monitor", "--for", "0"}), 1);
     EXPECT_EQ(code({"monitor", "--slots", "-1"}), 1);
+    EXPECT_EQ(code({"monitor", "--universe", "0"}), 1);
+    EXPECT_EQ(code({"monitor", "--universe", "1-64000"}), 1);
     EXPECT_EQ(code({"monitor", "/nowhere/a.toml", "--for", "1"}), 2);
 }
 

@@ -35,6 +35,14 @@ MonitorView twoDesks() {
     return view;
 }
 
+protocol::SacnReport announcement(std::vector<std::uint16_t> universes) {
+    protocol::SacnReport report;
+    report.counters.levels = 12;
+    report.counters.tooMany = 3;
+    report.discovered.push_back({{}, "node", "10.0.0.9", std::move(universes), {}});
+    return report;
+}
+
 TEST(MonitorTable, HasALineForEachSource) {
     const std::string table = monitorTable(twoDesks());
     EXPECT_THAT(table,
@@ -50,6 +58,9 @@ TEST(MonitorTable, NoLineIsWiderThanATerminal) {
     view.universes[0].sources[0].name = std::string(64, 'x');
     view.universes[0].sources[0].address = "fe80:1234:1234:1234:1234:1234:1234:1234%enp0s31f6";
     view.showSlots = {view.universes[0].universe};
+    std::vector<std::uint16_t> odd;
+    for (std::uint16_t universe = 1; universe < 999; universe += 2) odd.push_back(universe);
+    view.sacn = {announcement(odd)};
     const std::string table = monitorTable(view);
     for (std::size_t begin = 0; begin < table.size(); begin = table.find('\n', begin) + 1) {
         EXPECT_LE(table.find('\n', begin) - begin, 100U) << table.substr(begin, 120);
@@ -80,8 +91,16 @@ TEST(MonitorTable, ShowsTimeCodeAndTrigger) {
     EXPECT_EQ(triggerText({99, 7, {}, {}}), "99 7");
 }
 
+TEST(MonitorTable, ShowsWhatSacnSourcesAnnounce) {
+    MonitorView view;
+    view.sacn = {announcement({1, 2, 3, 70})};
+    EXPECT_THAT(monitorTable(view), HasSubstr("sACN: 12 levels, 0 late, 3 refused"));
+    EXPECT_THAT(monitorTable(view), HasSubstr("node at 10.0.0.9 announces sACN 1-3,70\n"));
+}
+
 TEST(MonitorJson, SaysTheSame) {
     MonitorView view = twoDesks();
+    view.sacn = {announcement({1, 70})};
     view.showSlots = {view.universes[0].universe};
     const nlohmann::ordered_json json = monitorJson(view);
     ASSERT_EQ(json["universes"].size(), 2U);
@@ -96,6 +115,8 @@ TEST(MonitorJson, SaysTheSame) {
     EXPECT_EQ(universe["slots"][16], 201);
     EXPECT_FALSE(json["universes"][1].contains("slots"));
     EXPECT_TRUE(json["timecode"].is_null());
+    EXPECT_EQ(json["sacn"][0]["levels"], 12);
+    EXPECT_EQ(json["sacn"][0]["announced"][0]["universes"], nlohmann::json({1, 70}));
 }
 
 }  // namespace

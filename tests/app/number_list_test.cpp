@@ -22,5 +22,12 @@ TEST(NumberList, IsNothingElse) {
     }
 }
 
+TEST(NumberList, IsWrittenAsItIsRead) {
+    for (const char* text : {"7", "1-4", "1-3,70", "1,3,5-6", "65534-65535"}) {
+        EXPECT_EQ(numberListText(parseNumberList(text, 0, 65535).value()), text);
+    }
+    EXPECT_EQ(numberListText({}), "none");
+}
+
 }  // namespace
 }  // namespace hazer::app

@@ -67,6 +67,7 @@ TEST_F(RecordingCommand, MistakesAreOneSentence) {
     EXPECT_EQ(hazer({"replay", show_, "--rate", "0"}).exitCode, 1);
     EXPECT_EQ(hazer({"replay"}).exitCode, 1);
     EXPECT_EQ(hazer({"record"}).exitCode, 1);
+    EXPECT_EQ(hazer({"record", "--out", "a.pcap", "--universe", "7-1"}).exitCode, 1);
     const test::ProcessResult absent = hazer({"replay", "/nowhere/a.pcap"});
     EXPECT_EQ(absent.exitCode, 2);
     EXPECT_THAT(absent.errors, HasSubstr("hazer: /nowhere/a.pcap: the recording cannot be read"));
@@ -79,8 +80,14 @@ TEST_F(RecordingCommand, MistakesAreOneSentence) {
 TEST_F(RecordingCommand, WhatIsReplayedCanBeRecorded) {
     const std::string out = (folder_.path() / "night.pcap").string();
     const std::string port = std::to_string(20000 + ::getpid() % 20000);
+    const std::string inputs = folder_
+                                   .write("inputs.toml",
+                                          "[[input]]\naddress='127.0.0.1'\n"
+                                          "[[input]]\nprotocol='sacn'\ninterface='lo'\n")
+                                   .string();
     auto recording = std::async(std::launch::async, [&] {
-        return hazer({"record", "--out", out, "--for", "4", "--port", port, "--sacn-port", "0", "--json"});
+        return hazer(
+            {"record", inputs, "--out", out, "--for", "4", "--port", port, "--sacn-port", "0", "--json"});
     });
     std::this_thread::sleep_for(1s);
     const test::ProcessResult sent = hazer({"replay", show_, "--port", port, "--json"});
@@ -89,12 +96,25 @@ TEST_F(RecordingCommand, WhatIsReplayedCanBeRecorded) {
     const test::ProcessResult recorded = recording.get();
     ASSERT_EQ(recorded.exitCode, 0) << recorded.errors;
     EXPECT_EQ(json::parse(recorded.output)["dropped"], 0);
+    EXPECT_THAT(recorded.errors, AllOf(HasSubstr("recording Art-Net on UDP port " + port + ", sACN on"),
+                                       HasSubstr("to " + out)));
     const json told = json::parse(hazer({"inspect", out, "--json"}).output);
     ASSERT_EQ(told["universes"].size(), 2) << told;
     EXPECT_EQ(told["universes"][0]["protocol"], "artnet");
     EXPECT_EQ(told["universes"][0]["slots"][1], 40);
     EXPECT_EQ(told["universes"][0]["sources"][0]["address"], "127.0.0.1");
     EXPECT_NEAR(told["duration_s"], 0.5, 0.2);
+}
+
+// What cannot be listened to is said, and leaves no empty file behind.
+TEST_F(RecordingCommand, RecordsWhatTheInputsOfAShowHear) {
+    const std::string out = (folder_.path() / "night.pcap").string();
+    const std::string nowhere =
+        folder_.write("nowhere.toml", "[[input]]\nprotocol='sacn'\ninterface='nowhere0'\n").string();
+    const test::ProcessResult result = hazer({"record", nowhere, "--out", out, "--for", "0.1"});
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_THAT(result.errors, HasSubstr("nowhere0"));
+    EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 TEST(Moment, IsReadAsPeopleWriteIt) {

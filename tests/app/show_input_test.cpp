@@ -62,6 +62,51 @@ TEST(ShowInput, TwoOfOneProtocolMustMergeAlike) {
                 HasSubstr("a.toml:3: an input of the same protocol in line 1 has another merge"));
 }
 
+std::string file(const std::string& more) {
+    return "[[input]]\nprotocol='file'\npath='night.pcap'\n" + more;
+}
+
+ShowRecording recordingOf(const std::string& more) {
+    return parseShow(file(more), "a.toml").recordings.at(0);
+}
+
+TEST(ShowRecording, PlaysByItselfAndMergesHighestUnlessItSaysMore) {
+    const ShowRecording recording = recordingOf("");
+    EXPECT_EQ(recording.clock, PlaybackClock::kShow);
+    EXPECT_FALSE(recording.loops);
+    EXPECT_EQ(recording.merging.mode, protocol::MergeMode::kHighest);
+    EXPECT_FALSE(recording.merging.loss.fadesOut);
+}
+
+TEST(ShowRecording, MergesAndIsLostAsALiveInput) {
+    const ShowRecording recording = recordingOf("merge='ltp'\non_loss='fade'\nfade_s=1.5");
+    EXPECT_EQ(recording.merging.mode, protocol::MergeMode::kLatest);
+    EXPECT_TRUE(recording.merging.loss.fadesOut);
+    EXPECT_EQ(recording.merging.loss.fadeTime, std::chrono::milliseconds(1500));
+    EXPECT_THAT(errorOf(file("fade_s=1")), HasSubstr("on_loss"));
+    EXPECT_EQ(inputsOf(file("merge='ltp'") + "\n[[input]]").size(), 1U) << "a file is no contradiction";
+}
+
+TEST(ShowRecording, FollowsATimeCode) {
+    using namespace std::chrono_literals;
+    const ShowRecording recording = recordingOf("follow='timecode'\ntimecode_start='10:00:00.5'");
+    EXPECT_EQ(recording.clock, PlaybackClock::kTimeCode);
+    EXPECT_EQ(recording.timeCodeStart, 10h + 500ms);
+    EXPECT_EQ(recordingOf("follow='timecode'").timeCodeStart, 0s);
+    EXPECT_THAT(errorOf(file("follow='ltc'")), HasSubstr("timecode"));
+    EXPECT_THAT(errorOf(file("follow='timecode'\ntimecode_start='10 h'")), HasSubstr("'10 h', which is no"));
+    EXPECT_THAT(errorOf(file("timecode_start='1:00'")), HasSubstr("unless follow"));
+    EXPECT_THAT(errorOf(file("follow='timecode'\nloop=true")), HasSubstr("loop"));
+}
+
+TEST(ShowRecording, TimeCodeNeedsAnInputThatHearsIt) {
+    const std::string follows = file("follow='timecode'");
+    EXPECT_THAT(errorOf(follows + "\n[[input]]\nprotocol='sacn'"),
+                HasSubstr("a.toml:1: time code comes by Art-Net"));
+    EXPECT_EQ(inputsOf(follows + "\n[[input]]\nprotocol='sacn'\n[[input]]").size(), 2U);
+    EXPECT_EQ(inputsOf(follows).size(), 0U);
+}
+
 TEST(ShowFixtureUniverse, HasTheRangeOfItsProtocol) {
     const auto fixture = [](const std::string& universe) {
         return "[[fixture]]\nname='a'\ngdtf='par-rgbw'\nmode='Standard'\nslot=1\n" + universe;

@@ -1,6 +1,8 @@
 // What it costs to have Art-Net and sACN in the store: nanoseconds a packet, allocations, and a loopback run
 // at the load of a large show.
 //     protocol_bench [--universes 512] [--fps 44] [--seconds 10] [--no-limit]
+//     protocol_bench --flood 200000 [--seconds 10]      a desk of 64 universes beside so much garbage a
+//     second
 // What is measured of the network is loopback by unicast.
 #include <fmt/core.h>
 #include <sys/resource.h>
@@ -12,8 +14,10 @@
 #include <asio/ip/udp.hpp>
 #include <chrono>
 #include <cstring>
+#include <fstream>
 #include <functional>
 #include <optional>
+#include <random>
 #include <thread>
 #include <vector>
 
@@ -41,6 +45,7 @@ struct Options {
     double fps = 44.0;
     double seconds = 10.0;
     bool skipsLimit = false;
+    double floodPerS = 0.0;  // 0: no flood
 };
 
 double secondsSince(TimePoint start) {
@@ -311,6 +316,167 @@ void printLimit(int universes, double fps) {
                lossless / 44.0);
 }
 
+/// Memory of this process [MiB].
+double residentMiB() {
+    std::ifstream stream("/proc/self/statm");
+    std::uint64_t total = 0;
+    std::uint64_t resident = 0;
+    stream >> total >> resident;
+    return static_cast<double>(resident) * 4096.0 / 1048576.0;
+}
+
+/// Datagrams that nobody wants: random bytes, and packets of the protocol that are sound up to a random
+/// place.
+std::vector<Bytes> garbage(const Frame& frame) {
+    std::mt19937 random(1);
+    std::uniform_int_distribution<int> anyByte(0, 255);
+    std::vector<Bytes> datagrams;
+    for (std::size_t i = 0; i < 4096; ++i) {
+        Bytes datagram = frame.packets[i % frame.packets.size()];
+        const std::size_t sound = i % 2 == 0 ? 0 : random() % datagram.size();
+        for (std::size_t at = sound; at < datagram.size(); ++at) {
+            datagram[at] = static_cast<std::uint8_t>(anyByte(random));
+        }
+        datagram.resize(sound + random() % (datagram.size() - sound) + 1);
+        datagrams.push_back(std::move(datagram));
+    }
+    return datagrams;
+}
+
+/// Sound packets of sACN, each of a source and a universe that never were before.
+std::vector<Bytes> newSources(const Frame& frame) {
+    std::mt19937 random(2);
+    std::vector<Bytes> datagrams;
+    for (std::size_t i = 0; i < 65536; ++i) {
+        Bytes datagram = frame.packets[i % frame.packets.size()];
+        for (std::size_t at = 22; at < 38; ++at) datagram[at] = static_cast<std::uint8_t>(random());
+        const auto universe = static_cast<std::uint16_t>(1 + random() % kMaxSacnUniverse);
+        datagram[113] = static_cast<std::uint8_t>(universe >> 8);
+        datagram[114] = static_cast<std::uint8_t>(universe);
+        datagrams.push_back(std::move(datagram));
+    }
+    return datagrams;
+}
+
+/// Sends datagrams in turn, `perS` a second, from its construction to its destruction.
+class Flood {
+ public:
+    Flood(std::uint16_t port, std::vector<Bytes> datagrams, double perS)
+        : socket_(context_, asio::ip::udp::v4()), datagrams_(std::move(datagrams)) {
+        socket_.bind({asio::ip::make_address("127.0.0.2"), 0});  // not the desk's
+        socket_.connect({asio::ip::address_v4::loopback(), port});
+        thread_ = std::jthread([this, perS](const std::stop_token& stop) { run(stop, perS); });
+    }
+
+    std::uint64_t sent() const { return sent_; }
+
+ private:
+    void run(const std::stop_token& stop, double perS) {
+        const TimePoint start = Clock::now();
+        std::error_code failure;
+        while (!stop.stop_requested()) {
+            const auto due = static_cast<std::uint64_t>(secondsSince(start) * perS);
+            for (; sent_ < due; ++sent_) {
+                socket_.send(asio::buffer(datagrams_[sent_ % datagrams_.size()]), 0, failure);
+            }
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+        }
+    }
+
+    asio::io_context context_;
+    asio::ip::udp::socket socket_;
+    std::vector<Bytes> datagrams_;
+    std::atomic<std::uint64_t> sent_ = 0;
+    std::jthread thread_;
+};
+
+/// A desk beside a flood: what of its packets arrives, how long a frame waits for its universes, and memory
+/// once the flood has filled what it can fill, and at the end.
+void printFlood(const char* what, const Listening& receiver, UniverseStore& store, const Frame& frame,
+                std::vector<Bytes> datagrams, const Options& options) {
+    constexpr double kFps = 44.0;
+    Flood flood(receiver.port, std::move(datagrams), options.floodPerS);
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    const double memoryBefore = residentMiB();
+    const std::uint64_t takenBefore = receiver.taken();
+    const std::uint64_t droppedBefore = receiver.droppedBySystem();
+    const std::uint64_t floodBefore = flood.sent();
+    std::atomic<bool> isOver = false;
+    std::uint64_t sent = 0;
+    double deskCpuS = 0.0;
+    const TimePoint start = Clock::now();
+    std::thread desk([&] {
+        sent = Desk(receiver.port, frame).play(kFps, options.seconds, deskCpuS);
+        isOver = true;
+    });
+    std::vector<double> latchesUs;
+    UniverseSet set;
+    while (!isOver) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(16));
+        const TimePoint before = Clock::now();
+        store.latch(set, before);
+        latchesUs.push_back(1e6 * secondsSince(before));
+    }
+    desk.join();
+    const double floodPerS = static_cast<double>(flood.sent() - floodBefore) / secondsSince(start);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    fmt::print("| {} | {:.0f} datagrams/s; the desk: {} sent, {} taken; {} of all lost by the system |\n",
+               what, floodPerS, sent, receiver.taken() - takenBefore,
+               receiver.droppedBySystem() - droppedBefore);
+    fmt::print(
+        "| memory, waiting for a latch | {:.1f} MiB, then {:.1f} MiB; median {:.0f} us, worst {:.0f} us |\n",
+        memoryBefore, residentMiB(), quantile(latchesUs, 0.5), quantile(latchesUs, 1.0));
+}
+
+std::uint64_t takenOfDesk(UniverseStore& store) {
+    std::uint64_t count = 0;
+    for (const UniverseStatus& status : store.status(Clock::now())) {
+        for (const SourceStatus& source : status.sources) {
+            if (source.address == "127.0.0.1") count += source.packetCount;
+        }
+    }
+    return count;
+}
+
+/// The universes of the desk are patched, as they are in a show: they always have room.
+void askFor(const Frame& frame, UniverseId first, UniverseStore& store) {
+    store.change([&](UniverseMerger& merger) {
+        for (std::size_t i = 0; i < frame.packets.size(); ++i, ++first.number) merger.ask(first);
+    });
+}
+
+void printArtNetFlood(const Options& options) {
+    const Frame frame = artNetFrame(64);
+    ReceiverConfig config;
+    config.address = "127.0.0.1";
+    config.port = 0;
+    UniverseStore store;
+    askFor(frame, {Transport::kArtNet, 0}, store);
+    const Receiver receiver(config, store);
+    const Listening listening{receiver.port(), [&] { return takenOfDesk(store); },
+                              [&] { return receiver.counters().droppedBySystem; }};
+    printFlood("garbage beside Art-Net", listening, store, frame, garbage(frame), options);
+}
+
+void printSacnFlood(const char* what, std::vector<Bytes> datagrams, const Options& options) {
+    const Frame frame = sacnFrame(64);
+    SacnReceiverConfig config;
+    config.interface = "lo";
+    config.port = 0;
+    UniverseStore store;
+    askFor(frame, {Transport::kSacn, 1}, store);
+    const SacnReceiver receiver(config, store);
+    const Listening listening{receiver.port(), [&] { return takenOfDesk(store); },
+                              [&] { return receiver.droppedBySystem(); }};
+    printFlood(what, listening, store, frame, std::move(datagrams), options);
+}
+
+void printFloods(const Options& options) {
+    printArtNetFlood(options);
+    printSacnFlood("garbage beside sACN", garbage(sacnFrame(64)), options);
+    printSacnFlood("new sources without end beside sACN", newSources(sacnFrame(64)), options);
+}
+
 Options parse(int argc, char** argv) {
     Options options;
     CLI::App app{"What it costs to have Art-Net and sACN in the store"};
@@ -318,6 +484,8 @@ Options parse(int argc, char** argv) {
     app.add_option("--fps", options.fps)->check(CLI::Range(1.0, 1000.0));
     app.add_option("--seconds", options.seconds)->check(CLI::Range(1.0, 3600.0));
     app.add_flag("--no-limit", options.skipsLimit, "Do not look for the highest rate");
+    app.add_option("--flood", options.floodPerS, "Only this: garbage a second beside a desk")
+        ->check(CLI::Range(1.0, 1e7));
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -337,6 +505,10 @@ int main(int argc, char** argv) {
     const Frame frame = artNetFrame(options.universes);
     const Frame sacn = sacnFrame(options.universes);
     fmt::print("| what | measured |\n|---|---|\n");
+    if (options.floodPerS > 0.0) {
+        printFloods(options);
+        return 0;
+    }
     printCost("baseline: parse one ArtDmx and copy its slots", costOfCopying(frame));
     printCost("parse and merge one ArtDmx, one source", costOfMerging(frame, 1));
     printCost("the same, two sources", costOfMerging(frame, 2));

@@ -33,9 +33,10 @@ class SacnMulticast : public ::testing::Test {
     }
 
     std::unique_ptr<SacnReceiver> listenTo(std::vector<std::uint16_t> universes,
-                                           const std::string& interface = "") {
+                                           const std::string& interface = "", bool joinsAnnounced = false) {
         SacnReceiverConfig config;
         config.universes = std::move(universes);
+        config.joinsAnnounced = joinsAnnounced;
         config.interface = interface;
         config.notice = [this](const std::string& sentence) {
             const std::lock_guard lock(mutex_);
@@ -154,6 +155,27 @@ TEST_F(SacnMulticast, JoinsTheSynchronizationGroupsThatDataNames) {
     SacnSender desk(config);
     EXPECT_TRUE(comesTrueWhileSending(desk, [&] { return receiver->counters().syncs > 3; }));
     EXPECT_EQ(receiver->report().syncs.at(0).address, 7000);
+}
+
+TEST_F(SacnMulticast, JoinsWhatIsAnnouncedIfItShall) {
+    const auto receiver = listenTo({}, "", true);
+    sending = {5, 300};
+    SacnSender desk(sender());
+    EXPECT_TRUE(comesTrueWhileSending(desk, [&] { return universesHeard().size() == 2; }));
+}
+
+TEST_F(SacnMulticast, JoinsNoMoreThanABoundHoweverManyAreAnnounced) {
+    const auto receiver = listenTo({}, "viz0", true);
+    asio::io_context context;
+    asio::ip::udp::socket raw(context, asio::ip::udp::v4());
+    std::vector<std::uint16_t> announced;
+    for (std::uint16_t universe = 1; universe <= 400; ++universe) announced.push_back(universe);
+    const Bytes page = test::sacnDiscovery({.universes = announced});
+    raw.send_to(asio::buffer(page), {asio::ip::make_address("239.255.250.214"), kSacnPort});
+    EXPECT_TRUE(comesTrue([&] { return !notices().empty(); }));
+    EXPECT_THAT(notices(), ElementsAre(HasSubstr("more sACN universes than the 256")));
+    const std::size_t versions = hasIpv6() ? 2 : 1;
+    EXPECT_TRUE(comesTrue([&] { return receiver->report().membershipCount == versions * (256 + 1); }));
 }
 
 // e131-node #6: only the first interface was joined, and only once.

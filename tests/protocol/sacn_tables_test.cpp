@@ -143,6 +143,21 @@ TEST(SacnDiscoveredSources, TellWhoSendsWhat) {
     EXPECT_EQ(all[0].lastSeen, kStart);
 }
 
+TEST(SacnDiscoveredSources, TellTheUniversesOfAllOnceEach) {
+    SacnDiscoveredSources sources;
+    const auto take = [&](std::uint32_t source, std::vector<std::uint16_t> universes, TimePoint at) {
+        const Page page({.universes = std::move(universes)});
+        SacnDiscovery discovery = page.parsed();
+        discovery.cid = cidOf(source);
+        sources.take(discovery, kDesk, at);
+    };
+    EXPECT_THAT(sources.universes(kStart), IsEmpty());
+    take(1, {3, 70}, kStart);
+    take(2, {1, 3, 63999}, kStart + 1s);
+    EXPECT_THAT(sources.universes(kStart + 1s), ElementsAre(1, 3, 70, 63999));
+    EXPECT_THAT(sources.universes(kStart + 20500ms), ElementsAre(1, 3, 63999)) << "the first is forgotten";
+}
+
 TEST(SacnDiscoveredSources, ReplaceAListOnlyByAWholeOne) {
     SacnDiscoveredSources sources;
     const auto take = [&](std::uint8_t page, std::uint8_t last, std::vector<std::uint16_t> universes) {

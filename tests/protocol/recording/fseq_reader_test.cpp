@@ -173,6 +173,16 @@ TEST_F(FseqReader, BlockThatHoldsLessThanItSaysEndsWithAWarning) {
     }
 }
 
+// As many channels as three bytes can count, which a few bytes of a packed file may really hold.
+TEST_F(FseqReader, TakesTheMostChannelsThereCanBe) {
+    Bytes bytes = fseqFile({.packing = FseqPacking::kZstd});
+    const Bytes most{0, 0, 0, 1};
+    std::ranges::copy(most, bytes.begin() + 10);
+    const auto reader = open(bytes);
+    EXPECT_THAT(readAll(*reader), IsEmpty());
+    EXPECT_THAT(reader->warnings(), ElementsAre(HasSubstr("read up to frame 0 of 3")));
+}
+
 TEST(FseqHeader, RefusesEveryTruncatedPrefix) {
     for (const FseqFields& fields :
          {FseqFields{.major = 1}, FseqFields{.packing = FseqPacking::kZstd, .ranges = {{0, 4}}}}) {
