@@ -72,33 +72,36 @@ struct UniverseMerger::Impl {
 
     MergedUniverse* findOrMake(UniverseId id, TimePoint now) {
         if (MergedUniverse* const known = find(id)) return known;
-        if (unaskedCount >= rules.unaskedUniverses && !evictOne(now)) return nullptr;
+        if (unaskedCount >= rules.unaskedUniverses && !evict(now)) return nullptr;
         ++unaskedCount;
         return &make(id);
     }
 
-    // The universe that was lost longest ago makes room. If all are live, none can be lost before
-    // nextEviction, so that a flood of new universes does not buy a walk through all of them with each
-    // packet.
-    bool evictOne(TimePoint now) {
+    // Those that were lost longest ago make room: of many, a sixteenth of all at once, so that a flood of new
+    // universes does not buy a walk through all of them with each packet. For the same reason there is none
+    // if all are live, until one can be lost.
+    bool evict(TimePoint now) {
+        constexpr std::size_t kShareAtOnce = 16;
         if (now < nextEviction) return false;
         nextEviction = TimePoint::max();
-        auto oldest = universes.end();
-        for (auto it = universes.begin(); it != universes.end(); ++it) {
-            MergedUniverse& universe = it->second;
+        std::vector<std::pair<TimePoint, UniverseId>> lost;
+        for (auto& [key, universe] : universes) {
             if (universe.isAskedFor) continue;
             universe.advance(now);
             if (universe.hasLiveSource()) {
                 nextEviction = std::min(nextEviction, universe.nextDeadline());
-            } else if (oldest == universes.end() || universe.lastHeard() < oldest->second.lastHeard()) {
-                oldest = it;
+            } else {
+                lost.emplace_back(universe.lastHeard(), key);
             }
         }
-        if (oldest == universes.end()) return false;
+        if (lost.empty()) return false;
         nextEviction = TimePoint::min();
-        universes.erase(oldest);
-        --unaskedCount;
-        ++evictedCount;
+        const std::size_t count =
+            std::min(lost.size(), std::max<std::size_t>(1, rules.unaskedUniverses / kShareAtOnce));
+        std::ranges::partial_sort(lost, lost.begin() + static_cast<std::ptrdiff_t>(count));
+        for (std::size_t i = 0; i < count; ++i) universes.erase(lost[i].second);
+        unaskedCount -= count;
+        evictedCount += count;
         return true;
     }
 

@@ -41,8 +41,8 @@ struct MergeRules {
     /// (ETC's sampling period). The first source of a universe never waits.
     std::chrono::milliseconds samplingPeriod{1500};
     std::size_t sacnSourcesPerUniverse = 16;
-    /// Universes that are remembered beyond those that were asked for. The one that was lost longest ago
-    /// makes room for a new one; one with a live source never does.
+    /// Universes that are remembered beyond those that were asked for. Those that were lost longest ago make
+    /// room for new ones, a sixteenth of so many at once; one with a live source never does.
     std::size_t unaskedUniverses = 4096;
 };
 

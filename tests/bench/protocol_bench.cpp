@@ -61,11 +61,11 @@ Frame artNetFrame(int universes) {
     return frame;
 }
 
-Frame sacnFrame(int universes) {
+Frame sacnFrame(int universes, std::uint8_t cid = 1) {
     Frame frame{{}, 126, 111};
     const Slots slots{};
     SacnData data;
-    data.cid.fill(1);
+    data.cid.fill(cid);
     data.sourceName = "bench";
     data.slots = slots;
     for (int i = 0; i < universes; ++i) {
@@ -369,6 +369,7 @@ class Flood {
     }
 
     std::uint64_t sent() const { return sent_; }
+    double cpuS() const { return cpuS_; }
 
  private:
     void run(const std::stop_token& stop, double perS) {
@@ -379,6 +380,7 @@ class Flood {
             for (; sent_ < due; ++sent_) {
                 socket_.send(asio::buffer(datagrams_[sent_ % datagrams_.size()]), 0, failure);
             }
+            cpuS_ = cpuSeconds(RUSAGE_THREAD);
             std::this_thread::sleep_for(std::chrono::microseconds(200));
         }
     }
@@ -387,6 +389,7 @@ class Flood {
     asio::ip::udp::socket socket_;
     std::vector<Bytes> datagrams_;
     std::atomic<std::uint64_t> sent_ = 0;
+    std::atomic<double> cpuS_ = 0.0;
     std::jthread thread_;
 };
 
@@ -401,6 +404,8 @@ void printFlood(const char* what, const Listening& receiver, UniverseStore& stor
     const std::uint64_t takenBefore = receiver.taken();
     const std::uint64_t droppedBefore = receiver.droppedBySystem();
     const std::uint64_t floodBefore = flood.sent();
+    const double othersBefore = cpuSeconds(RUSAGE_THREAD) + flood.cpuS();
+    const double processBefore = cpuSeconds(RUSAGE_SELF);
     std::atomic<bool> isOver = false;
     std::uint64_t sent = 0;
     double deskCpuS = 0.0;
@@ -418,14 +423,18 @@ void printFlood(const char* what, const Listening& receiver, UniverseStore& stor
         latchesUs.push_back(1e6 * secondsSince(before));
     }
     desk.join();
-    const double floodPerS = static_cast<double>(flood.sent() - floodBefore) / secondsSince(start);
+    const double passedS = secondsSince(start);
+    const double floodPerS = static_cast<double>(flood.sent() - floodBefore) / passedS;
+    const double others = cpuSeconds(RUSAGE_THREAD) + flood.cpuS() - othersBefore + deskCpuS;
+    const double receiverShare = (cpuSeconds(RUSAGE_SELF) - processBefore - others) / passedS;
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     fmt::print("| {} | {:.0f} datagrams/s; the desk: {} sent, {} taken; {} of all lost by the system |\n",
                what, floodPerS, sent, receiver.taken() - takenBefore,
                receiver.droppedBySystem() - droppedBefore);
-    fmt::print(
-        "| memory, waiting for a latch | {:.1f} MiB, then {:.1f} MiB; median {:.0f} us, worst {:.0f} us |\n",
-        memoryBefore, residentMiB(), quantile(latchesUs, 0.5), quantile(latchesUs, 1.0));
+    fmt::print("| receive and merge thread; memory | {:.0f} % of a core; {:.1f} MiB, then {:.1f} MiB |\n",
+               100.0 * receiverShare, memoryBefore, residentMiB());
+    fmt::print("| a frame waits for its universes | median {:.0f} us, p99 {:.0f} us, worst {:.0f} us |\n",
+               quantile(latchesUs, 0.5), quantile(latchesUs, 0.99), quantile(latchesUs, 1.0));
 }
 
 std::uint64_t takenOfDesk(UniverseStore& store) {
@@ -473,7 +482,7 @@ void printSacnFlood(const char* what, std::vector<Bytes> datagrams, const Option
 
 void printFloods(const Options& options) {
     printArtNetFlood(options);
-    printSacnFlood("garbage beside sACN", garbage(sacnFrame(64)), options);
+    printSacnFlood("garbage beside sACN", garbage(sacnFrame(64, 2)), options);
     printSacnFlood("new sources without end beside sACN", newSources(sacnFrame(64)), options);
 }
 

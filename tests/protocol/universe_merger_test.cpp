@@ -610,6 +610,23 @@ TEST_F(MergerTest, TheUniverseThatWasLostLongestAgoMakesRoom) {
     EXPECT_EQ(set.count(sacn(3)), 1U);
 }
 
+// Or each packet of a flood of new universes would search all of them for one to forget.
+TEST_F(MergerTest, OfManyLostUniversesASixteenthMakesRoomAtOnce) {
+    merger = UniverseMerger({.unaskedUniverses = 64});
+    const auto showNumber = [&](double atS, int number) {
+        return show(atS, {Transport::kSacn, static_cast<std::uint16_t>(number)}, 'A', {1});
+    };
+    for (int number = 1; number <= 64; ++number) showNumber(0.01 * number, number);
+    EXPECT_EQ(showNumber(10, 100), Verdict::kTaken);
+    EXPECT_EQ(merger.evictedUniverses(), 4U);
+    UniverseSet set;
+    merger.latch(set, at(10));
+    EXPECT_EQ(set.size(), 61U);
+    EXPECT_EQ(set.begin()->first.number, 5) << "the oldest went";
+    for (int number = 101; number <= 103; ++number) showNumber(10, number);
+    EXPECT_EQ(merger.evictedUniverses(), 4U) << "their places are taken first";
+}
+
 TEST_F(MergerTest, AskingForAUniverseFreesItsPlaceAmongTheOthers) {
     merger = UniverseMerger({.unaskedUniverses = 1});
     show(0, kSacn, 'A', {1});
