@@ -30,9 +30,6 @@ constexpr double kAnimationRadius = 0.35;
 /// A beam shaper spreads an oval this much wider than high.
 constexpr double kMostOval = 0.6;
 
-/// GDTF's own default of a rectangle: width over height.
-constexpr double kRectangleRatio = 1.7777;
-
 /// Barn doors stand before the lens: their edges are as soft as this, where those of blades are sharp.
 constexpr double kSoftestEdge = 0.6;
 
@@ -111,7 +108,7 @@ void setShape(const fixtures::BeamState& state, render::Beam& beam) {
     render::Aperture& aperture = beam.aperture;
     if (state.type == fixtures::BeamType::kRectangle) {
         aperture.shape = render::ApertureShape::kRectangle;
-        aperture.halfSize = glm::normalize(glm::dvec2(kRectangleRatio, 1.0));
+        aperture.halfSize = glm::normalize(glm::dvec2(state.rectangleRatio, 1.0));
         beam.fluxLm *= 0.25 * kPi / (aperture.halfSize.x * aperture.halfSize.y);
     } else if (state.oval > 0.0) {
         aperture.shape = render::ApertureShape::kOval;

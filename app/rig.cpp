@@ -1,5 +1,8 @@
 #include "app/rig.h"
 
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +11,7 @@
 
 #include "app/beam_optics.h"
 #include "app/light_color.h"
+#include "render/error.h"
 #include "render/mesh.h"
 
 namespace hazer::app {
@@ -28,8 +32,33 @@ render::Material bodyMaterial() {
     return material;
 }
 
-render::BeamEdge edgeOf(double beamAngleRad, double fieldAngleRad) {
-    return beamAngleRad < fieldAngleRad ? render::BeamEdge::kSoft : render::BeamEdge::kFlat;
+/// Wash, PC and Fresnel lamps have soft edges, also where a file gives them but one angle: that is taken as
+/// the angle of 10 %.
+double beamOverField(fixtures::BeamType type) {
+    switch (type) {
+        case fixtures::BeamType::kWash:
+            return 0.6;
+        case fixtures::BeamType::kFresnel:
+            return 0.65;
+        case fixtures::BeamType::kPc:
+            return 0.8;
+        default:
+            return 1.0;
+    }
+}
+
+/// What only glows sends as much light everywhere as it shows area (Lambert): 50 % at 60 degrees.
+constexpr double kGlowBeamDeg = 120.0;
+constexpr double kGlowFieldDeg = 168.0;
+
+void setAngles(const fixtures::BeamState& state, render::Beam& beam) {
+    const bool glows = state.type == fixtures::BeamType::kGlow;
+    const double fieldRad = glm::radians(glows ? kGlowFieldDeg : state.fieldAngleDeg);
+    const double beamRad = glm::radians(glows ? kGlowBeamDeg : state.beamAngleDeg);
+    beam.fieldAngleRad = std::clamp(fieldRad, kNarrowestFieldRad, kWidestFieldRad);
+    beam.beamAngleRad = std::clamp(beamRad, kNarrowestFieldRad, beam.fieldAngleRad);
+    if (beam.beamAngleRad == beam.fieldAngleRad) beam.beamAngleRad *= beamOverField(state.type);
+    beam.edge = beam.beamAngleRad < beam.fieldAngleRad ? render::BeamEdge::kSoft : render::BeamEdge::kFlat;
 }
 
 render::Mesh shapeOf(fixtures::PrimitiveType primitive) {
@@ -62,6 +91,28 @@ std::span<const UnitBox> boxesOf(fixtures::PrimitiveType primitive) {
     return kWholeBox;
 }
 
+/// Hundreds of fixtures have the same body.
+constexpr std::size_t kMostBodyVertices = 100'000;
+
+/// Scales each axis about the origin so that the bounds have edges of 1: a GDTF model's own units mean
+/// nothing (DIN SPEC 15800, Models).
+void fitToUnit(render::Mesh& mesh) {
+    glm::vec3 low(mesh.vertices.front().positionM);
+    glm::vec3 high = low;
+    for (const render::Vertex& vertex : mesh.vertices) {
+        low = glm::min(low, vertex.positionM);
+        high = glm::max(high, vertex.positionM);
+    }
+    const glm::vec3 size = high - low;
+    // What is flat has no size to go by; its own thickness is none.
+    const float largest = std::max({size.x, size.y, size.z, 1e-6f});
+    const glm::vec3 perSize = 1.0f / glm::max(size, 1e-6f * largest);
+    for (render::Vertex& vertex : mesh.vertices) {
+        vertex.positionM *= perSize;
+        vertex.normal = glm::normalize(vertex.normal / perSize);
+    }
+}
+
 }  // namespace
 
 double focusDistanceM(double focus) {
@@ -76,9 +127,7 @@ std::optional<render::Beam> beamFromState(const fixtures::BeamState& state) {
     beam.lensPositionM = glm::dvec3(state.worldFromBeam[3]);
     beam.worldFromBeam = glm::dmat3(state.worldFromBeam);
     beam.lensRadiusM = state.lensRadiusM;
-    beam.fieldAngleRad = std::clamp(glm::radians(state.fieldAngleDeg), kNarrowestFieldRad, kWidestFieldRad);
-    beam.beamAngleRad = std::clamp(glm::radians(state.beamAngleDeg), kNarrowestFieldRad, beam.fieldAngleRad);
-    beam.edge = edgeOf(beam.beamAngleRad, beam.fieldAngleRad);
+    setAngles(state, beam);
     beam.fluxLm = fluxLm;
     beam.color = lightColorFromXyz(state.colorXyz);
     if (state.focusDistanceM) {
@@ -107,9 +156,15 @@ void Rig::append(const fixtures::FixtureState& state, render::Scene& scene) {
 void Rig::appendPart(const fixtures::PartState& part, render::Scene& scene) {
     const glm::dmat4 worldFromUnit = glm::scale(part.worldFromPart, part.model->sizeM);
     render::MeshInstance instance;
-    instance.mesh = meshFor(part.model->primitive);
     instance.material = bodyMaterial();
     instance.castsShadow = false;
+    if (const std::optional<render::MeshId> mesh = meshOf(part.model->file)) {
+        instance.mesh = *mesh;
+        instance.worldFromMesh = worldFromUnit;
+        scene.instances.push_back(instance);
+        return;
+    }
+    instance.mesh = meshFor(part.model->primitive);
     for (const UnitBox& box : boxesOf(part.model->primitive)) {
         instance.worldFromMesh = glm::scale(glm::translate(worldFromUnit, box.center), box.size);
         scene.instances.push_back(instance);
@@ -122,6 +177,24 @@ render::GoboId Rig::goboFor(const std::shared_ptr<const fixtures::WheelImage>& i
     const render::GoboId id = assets_.addGobo(image->rgba.data(), image->width, image->height);
     gobos_.emplace(image, id);
     return id;
+}
+
+std::optional<render::MeshId> Rig::meshOf(const std::shared_ptr<const fixtures::ModelFile>& file) {
+    if (file == nullptr) return std::nullopt;
+    const auto [entry, isNew] = fileMeshes_.try_emplace(file);
+    if (!isNew) return entry->second;
+    try {
+        render::Mesh mesh = render::parseMesh(file->bytes, file->name);
+        if (mesh.vertices.size() > kMostBodyVertices) {
+            throw render::RenderError(
+                fmt::format("{} has more than {} vertices", file->name, kMostBodyVertices));
+        }
+        fitToUnit(mesh);
+        entry->second = assets_.addMesh(mesh);
+    } catch (const render::RenderError& error) {
+        spdlog::warn("a fixture's body is drawn as a plain shape: {}", error.what());
+    }
+    return entry->second;
 }
 
 render::MeshId Rig::meshFor(fixtures::PrimitiveType primitive) {

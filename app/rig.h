@@ -31,11 +31,14 @@ class Rig {
  private:
     void appendPart(const fixtures::PartState& part, render::Scene& scene);
     render::GoboId goboFor(const std::shared_ptr<const fixtures::WheelImage>& image);
+    std::optional<render::MeshId> meshOf(const std::shared_ptr<const fixtures::ModelFile>& file);
     render::MeshId meshFor(fixtures::PrimitiveType primitive);
 
     render::AssetSink& assets_;
     std::map<std::shared_ptr<const fixtures::WheelImage>, render::GoboId> gobos_;
     std::map<fixtures::PrimitiveType, render::MeshId> meshes_;
+    /// Of files; none of those that cannot be drawn.
+    std::map<std::shared_ptr<const fixtures::ModelFile>, std::optional<render::MeshId>> fileMeshes_;
 };
 
 }  // namespace hazer::app
