@@ -14,7 +14,7 @@ void ReplayIndex::add(KeyFrame frame) {
     const std::size_t frameBytes = frame.state->approximateBytes();
     const std::lock_guard lock(mutex_);
     frames_.push_back(std::move(frame));
-    const std::size_t most = std::clamp<std::size_t>(kMostBytes / frameBytes, 2, kMostKeyFrames);
+    const std::size_t most = std::clamp<std::size_t>(kMostBytes / frameBytes, 2, mostKeyFrames_);
     if (frames_.size() <= most) return;
     distance_ *= 2;
     std::erase_if(frames_, [&](const KeyFrame& kept) { return kept.state->packetCount() % distance_ != 0; });

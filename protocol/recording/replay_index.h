@@ -26,8 +26,11 @@ class ReplayIndex {
     /// Packets from key frame to key frame at first. Playing so many takes a few milliseconds.
     static constexpr std::uint64_t kFirstDistance = 4096;
 
-    static constexpr std::size_t kMostKeyFrames = 2048;
-    static constexpr std::size_t kMostBytes = 256u * 1024u * 1024u;
+    static constexpr std::size_t kMostKeyFrames = 4096;
+    static constexpr std::size_t kMostBytes = 512u * 1024u * 1024u;
+
+    /// `mostKeyFrames` >= 2.
+    explicit ReplayIndex(std::size_t mostKeyFrames = kMostKeyFrames) : mostKeyFrames_(mostKeyFrames) {}
 
     /// Whether a key frame is due after so many packets.
     bool wants(std::uint64_t packetCount) const;
@@ -47,6 +50,7 @@ class ReplayIndex {
     std::size_t size() const;
 
  private:
+    const std::size_t mostKeyFrames_;
     mutable std::mutex mutex_;
     std::vector<KeyFrame> frames_;
     std::uint64_t distance_ = kFirstDistance;
