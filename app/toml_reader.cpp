@@ -23,7 +23,7 @@ std::size_t TomlReader::line() const {
 }
 
 const toml::node* TomlReader::find(std::string_view key) {
-    known_.emplace_back(key);
+    if (std::ranges::find(known_, key) == known_.end()) known_.emplace_back(key);
     return table_->get(key);
 }
 

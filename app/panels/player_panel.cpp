@@ -35,7 +35,6 @@ void drawScrubber(Playback& playback) {
 /// What the time code says, where one can come; a recording that follows it is not to be moved by hand.
 void drawTimeCode(Playback& playback, const Inputs& inputs) {
     if (!inputs.hearsTimeCode()) return;
-    ImGui::SameLine();
     ImGui::Checkbox("Follow time code", &playback.followsTimeCode);
     if (!playback.followsTimeCode) return;
     const auto code = inputs.artNet().timeCode;

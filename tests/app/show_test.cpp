@@ -195,6 +195,12 @@ TEST(Show, namesTheNearestKey) {
     EXPECT_THAT(error, HasSubstr("Did you mean 'extinction'?"));
 }
 
+TEST(Show, namesEachKnownKeyOnce) {
+    const std::string error = errorOf("[[input]]\nprotocl = \"sacn\"\n");
+    EXPECT_THAT(error, HasSubstr("Did you mean 'protocol'?"));
+    EXPECT_THAT(error, ::testing::Not(::testing::ContainsRegex("protocol, protocol")));
+}
+
 TEST(Show, namesFileAndLineOfBrokenToml) {
     EXPECT_THAT(errorOf("title = \"a\"\nbackground = [1, 2"), StartsWith("folder/a.toml:2: "));
 }
