@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
+#include "app/inputs.h"
+#include "tests/support/datagram.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hazer::app {
@@ -62,6 +66,21 @@ TEST_F(PlaybackTest, IsWhereTheTimeCodeSays) {
     EXPECT_TRUE(playback.isCodeRunning());
     playback.follow(code(10, 1, 1, kStart + 2040ms), kStart + 9s);
     EXPECT_EQ(playback.time(), 1040ms) << "stands with the code";
+}
+
+// From the wire: what a receiver has heard leads the recording.
+TEST_F(PlaybackTest, FollowsWhatArrivesOverLoopback) {
+    Inputs inputs(parseShow("[[input]]\naddress='127.0.0.1'", "a.toml"));
+    inputs.listen({.ports = {.artNet = 0}});
+    const auto packet = protocol::packArtTimeCode({.seconds = 2, .type = protocol::TimeCodeType::kSmpte30});
+    test::sendDatagram(inputs.port(), {reinterpret_cast<const char*>(packet.data()), packet.size()});
+    for (int i = 0; i < 10000 && !inputs.artNet().timeCode; ++i) {
+        std::this_thread::sleep_for(1ms);
+    }
+    Playback playback(recording(), {}, false);
+    playback.follow(inputs.artNet().timeCode, protocol::Clock::now());
+    EXPECT_EQ(playback.time(), 2s);
+    EXPECT_EQ(levelOf(playback), 30);
 }
 
 TEST_F(PlaybackTest, AFarJumpIsPlayedBitByBitWhereThereIsNoIndex) {

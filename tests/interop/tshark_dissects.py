@@ -22,7 +22,7 @@ with tempfile.TemporaryDirectory() as folder:
         desk.settimeout(5)
         desk.recv(2000)
         desk.recv(2000)
-    artnet = lab.send("--universe", "300", "--pattern", "sine", "--to", "10.77.0.2", "--seconds", "1")
+    artnet = lab.send("--universe", "300", "--pattern", "sine", "--sync", "--to", "10.77.0.2", "--seconds", "1")
     sacn = lab.send("--protocol", "sacn", "--universes", "1-3", "--pattern", "sine", "--priority", "150", "--sync", "7000",
                     "--slot-priority", "1=0", "--interface", "viz0", "--seconds", "1")
     artnet.wait(20)
@@ -40,6 +40,7 @@ with tempfile.TemporaryDirectory() as folder:
     lab.expect(not malformed, f"malformed: {malformed[:3]}")
     kinds = {
         "ArtDmx of Port-Address 300": "artnet.output.universe == 300 && artnet.output.length == 512",
+        "ArtSync": "artnet.header.opcode == 0x5200",
         "ArtPollReply": "artnet.poll_reply",
         "levels of priority 150": "acn.dmx.universe == 2 && acn.dmx.priority == 150 && acn.dmx.start_code2 == 0",
         "per-address priorities": "acn.dmx.start_code2 == 221 && acn.dmx.count == 513",
