@@ -110,6 +110,8 @@ void setShape(const fixtures::BeamState& state, render::Beam& beam) {
         aperture.shape = render::ApertureShape::kRectangle;
         aperture.halfSize = glm::normalize(glm::dvec2(state.rectangleRatio, 1.0));
         beam.fluxLm *= 0.25 * kPi / (aperture.halfSize.x * aperture.halfSize.y);
+        // As soft as a round beam of these angles is.
+        aperture.softness = std::max(aperture.softness, 1.0 - beam.beamAngleRad / beam.fieldAngleRad);
     } else if (state.oval > 0.0) {
         aperture.shape = render::ApertureShape::kOval;
         aperture.halfSize = {1.0, 1.0 - kMostOval * std::min(state.oval, 1.0)};

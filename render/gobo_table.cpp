@@ -16,7 +16,7 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-/// Transmission of one channel, 0..1, as a texture unit finds it: bilinear, clamped to the edge. x and y in
+/// Transmission of one channel, 0..1, as a texture unit finds it: bilinear, dark beyond the edge. x and y in
 /// texels of the level from its middle, y upwards.
 float bilinear(const std::vector<std::uint8_t>& rgba, int size, int channel, float x, float y) {
     const float column = x + 0.5f * static_cast<float>(size - 1);
@@ -24,9 +24,10 @@ float bilinear(const std::vector<std::uint8_t>& rgba, int size, int channel, flo
     const auto left = static_cast<int>(std::floor(column));
     const auto top = static_cast<int>(std::floor(row));
     const auto texel = [&](int right, int below) {
-        const int tx = std::clamp(left + right, 0, size - 1);
-        const int ty = std::clamp(top + below, 0, size - 1);
-        return static_cast<float>(rgba[at(4 * (ty * size + tx) + channel)]);
+        const int tx = left + right;
+        const int ty = top + below;
+        const bool isInside = tx >= 0 && tx < size && ty >= 0 && ty < size;
+        return isInside ? static_cast<float>(rgba[at(4 * (ty * size + tx) + channel)]) : 0.0f;
     };
     const float fx = column - static_cast<float>(left);
     const float fy = row - static_cast<float>(top);

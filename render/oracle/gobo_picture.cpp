@@ -45,9 +45,10 @@ glm::dvec3 GoboPicture::bilinear(const Level& level, const glm::dvec2& uv) {
     const glm::dvec2 base = glm::floor(at);
     const glm::dvec2 share = at - base;
     const auto texel = [&](int dx, int dy) {
-        const double last = level.size - 1;
-        return level.texels[texelIndex(level.size, static_cast<int>(std::clamp(base.x + dx, 0.0, last)),
-                                       static_cast<int>(std::clamp(base.y + dy, 0.0, last)))];
+        const glm::dvec2 place = base + glm::dvec2(dx, dy);
+        const double end = level.size;
+        if (place.x < 0.0 || place.y < 0.0 || place.x >= end || place.y >= end) return glm::dvec3(0.0);
+        return level.texels[texelIndex(level.size, static_cast<int>(place.x), static_cast<int>(place.y))];
     };
     return glm::mix(glm::mix(texel(0, 0), texel(1, 0), share.x), glm::mix(texel(0, 1), texel(1, 1), share.x),
                     share.y);

@@ -18,7 +18,7 @@ class GoboPicture {
 
     /// Transmission at a place of the unit disc, x to the right and y up as the picture is seen, for a blur
     /// as wide as `blurTexels` texels: bilinear in the picture of means over squares of that width, linear
-    /// between powers of two, up to 1/4 of the picture. It ends as its edge does.
+    /// between powers of two, up to 1/4 of the picture. It is dark beyond its edge.
     glm::dvec3 transmission(const glm::dvec2& place, double blurTexels) const;
 
  private:

@@ -172,6 +172,7 @@ TEST(BeamOptics, ShapesKeepTheFlux) {
     render::Beam beam = through(state);
     EXPECT_EQ(beam.aperture.shape, render::ApertureShape::kRectangle);
     EXPECT_NEAR(glm::length(beam.aperture.halfSize), 1.0, 1e-12);
+    EXPECT_NEAR(beam.aperture.softness, 0.25, 1e-12);
     EXPECT_NEAR(beam.fluxLm * 4.0 * beam.aperture.halfSize.x * beam.aperture.halfSize.y, 10000.0 * kPi, 1.0);
     state = litBeam();
     state.oval = 1.0;

@@ -243,6 +243,31 @@ TEST_F(GoboGl, ALitSurfaceDoesNotShadowItself) {
     }
 }
 
+// Beyond the field there is the holder of the gobo: nothing shines there, however soft the beam and blurred
+// the gobo.
+TEST_F(GoboGl, BeyondTheFieldAnOpenGoboIsDark) {
+    Scene scene = lamp(0.0, 0.0, 0.0);
+    const std::vector<std::uint8_t> open(std::size_t{4} * kGobo * kGobo, 255);
+    Beam& beam = scene.beams.front();
+    beam.gobo = renderer().addGobo(open.data(), kGobo, kGobo);
+    beam.edge = render::BeamEdge::kSoft;
+    beam.beamAngleRad = 0.5 * beam.fieldAngleRad;
+    scene.haze.scatteringPerM = 0.0f;
+    scene.instances.push_back(floor());
+    // So far off that a pixel is several texels wide.
+    const Camera camera{{0.0, 0.0, 60.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 10.0 * kRadPerDeg};
+    const FloatImage image = draw(scene, camera, kSize, kSize);
+    const float brightest = *std::max_element(image.rgb.begin(), image.rgb.end());
+    const double edgeM = 6.0 * std::tan(15.0 * kRadPerDeg);
+    const double pixelM = 2.0 * std::tan(5.0 * kRadPerDeg) * 60.0 / kSize;
+    for (int y = 0; y < kSize; ++y) {
+        for (int x = 0; x < kSize; ++x) {
+            if (glm::length(glm::dvec2(floorPoint(camera, x, y))) < edgeM + 2.0 * pixelM) continue;
+            ASSERT_LT(image.at(x, y)[1], 1e-4f * brightest) << x << ", " << y;
+        }
+    }
+}
+
 // 10 000 lm on the floor: illuminance summed over the floor is the flux.
 TEST_F(GoboGl, TheFloorReceivesTheLampsLumens) {
     for (const render::BeamEdge edge : {render::BeamEdge::kFlat, render::BeamEdge::kSoft}) {

@@ -33,7 +33,7 @@ double henyeyGreenstein(double cosTheta, double g) {
     return (1.0 - g * g) / (4.0 * kPi * std::pow(1.0 + g * g - 2.0 * g * cosTheta, 1.5));
 }
 
-/// Between the centres of texels, as they end beyond the picture; q in the unit disc, y upwards.
+/// Between the centres of texels, dark beyond the picture; q in the unit disc, y upwards.
 double bilinear(const std::vector<std::uint8_t>& rgba, int size, int channel, const glm::dvec2& q) {
     const double x = (0.5 + 0.5 * q.x) * size - 0.5;
     const double y = (0.5 - 0.5 * q.y) * size - 0.5;
@@ -43,7 +43,8 @@ double bilinear(const std::vector<std::uint8_t>& rgba, int size, int channel, co
     for (int row = top; row <= top + 1; ++row) {
         for (int column = left; column <= left + 1; ++column) {
             const double weight = (1.0 - std::abs(x - column)) * (1.0 - std::abs(y - row));
-            const int texel = std::clamp(row, 0, size - 1) * size + std::clamp(column, 0, size - 1);
+            if (row < 0 || row >= size || column < 0 || column >= size) continue;
+            const int texel = row * size + column;
             sum += weight * rgba[static_cast<std::size_t>(4 * texel + channel)];
         }
     }
