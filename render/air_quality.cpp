@@ -15,6 +15,9 @@ int count(double wanted, int least, int most) {
 /// What a look at a gobo's table may cost, as a share of the light that comes through.
 constexpr double kLeastTableError = 4e-3;
 
+/// Beyond this it is texels of shadow maps that err.
+constexpr int kMostShadowIntervals = 232;
+
 /// A grid pays as long as most of its cells may be interpolated.
 int gridStepFor(double maxError) {
     if (maxError >= 5e-3) return 4;
@@ -32,8 +35,9 @@ AirQuality airQualityFor(double maxError) {
     // What each number may cost: errors of different origin add up as squares, and hardly ever are two at
     // their worst.
     const double each = 0.6 * maxError;
-    // Edges of shadows are found by bisection: what is missed are bodies between two looks.
-    quality.shadowIntervals = count(std::sqrt(1.2 / each), 8, 29);
+    // Edges of shadows are found by bisection: what is missed are bodies between two looks, in few rays where
+    // there are few.
+    quality.shadowIntervals = count(std::max(std::sqrt(1.2 / each), 0.08 / each), 8, kMostShadowIntervals);
     // An edge is then off by a quarter of 1 / (N 2^n) of the stretch.
     quality.shadowBisections = maxError >= 0.01 ? 3 : 5;
     // A gobo in even cells, as blurred as they are long.

@@ -9,7 +9,7 @@ struct AirQuality {
     int gridStep = 1;  ///< Pixels between the nodes that are integrated first; 1: every pixel.
     double gridTolerance =
         0.0;                   ///< Estimated error that a pixel between nodes may have, a share of the light.
-    int shadowIntervals = 16;  ///< Of the part of a ray that may be shaded; 4..29.
+    int shadowIntervals = 16;  ///< Of the part of a ray that may be shaded; 4..232.
     int shadowBisections = 5;  ///< Of an interval at an edge of a shadow; at least 1.
     int profilePairs = 4;  ///< Pairs of nodes on either side of a soft beam's axis, where a ray is cut; 2..4.
     int goboTaps = 32;     ///< Along the line on a gobo, where its table does not serve.
@@ -21,7 +21,7 @@ struct AirQuality {
 };
 
 /// The error that is kept to when none is asked for.
-inline constexpr double kDefaultMaxError = 0.01;
+inline constexpr double kDefaultMaxError = 0.015;
 
 /// The cheapest quality whose root mean square error, as a share of that of the light in the air, stays below
 /// `maxError` (0.0001..0.5), by the error laws in docs/rendering.md.

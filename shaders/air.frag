@@ -86,8 +86,8 @@ bool placeSeesLamp(vec3 place) { return true; }
 
 #include "include/beam_arc.glsl"
 #include "include/beam_integral.glsl"
-#include "include/beam_shade.glsl"
 #include "include/beam_density.glsl"
+#include "include/beam_shade.glsl"
 #include "include/beam_reference.glsl"
 #if defined(GOBO) && !defined(UNIFORM) && !defined(SAMPLED)
 uniform sampler2DArray goboTables;
@@ -139,6 +139,19 @@ vec3 lineLight(BeamOptics optics, HazeMedium haze, float endM) {
 #endif
 
 #ifndef UNIFORM
+// How many more looks at obstacles a ray wants that does not cross all of the beam: those that end in it meet a gobo or a shadow where it is bright,
+// and from within a beam its gobo and its shadows are seen along their edges.
+float obstacleShare(LitPart lit) { return lit.fromEye ? 5.0 : lit.whole ? 1.0 : 1.2; }
+
+#if defined(NOISE) && !defined(GOBO) && !defined(SAMPLED)
+// Looks at uneven haze along an arc: more where it holds more than a few swirls.
+int densityLooks(LampRay ray, Arc arc) {
+    const float SWIRLS = 4.0;
+    float lengthM = arcPlace(ray, arc, 1.0) - arcPlace(ray, arc, 0.0);
+    return int(float(noiseNodes) * clamp(lengthM * swirlsPerM() / SWIRLS, 1.0, 4.0));
+}
+#endif
+
 // What the lit part of the ray sends to the eye, for integrals see beam_integral.glsl.
 vec3 litLight(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) {
     Arc arc = makeArc(lit.singular, lit.from, lit.to);
@@ -158,17 +171,16 @@ vec3 litLight(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) {
     float shadeTo = sTo;
     bool shaded = shadowStretch(ray, shadeFrom, shadeTo);
     float shadeShare = arcShare(arc, tangentAt(ray, shadeTo)) - arcShare(arc, tangentAt(ray, shadeFrom));
-    int intervals = shaded ? clamp(int(ceil(float(shadowIntervals) * shadeShare)), 4, shadowIntervals) : 0;
+    int intervals = shaded ? max(int(ceil(float(shadowIntervals) * obstacleShare(lit) * shadeShare)), 4) : 0;
 #endif
 
 #if defined(GOBO)
-    // From within a beam its gobo is seen along its edges.
-    int cells = lit.fromEye ? 4 * goboTaps : goboTaps;
+    int cells = int(float(goboTaps) * obstacleShare(lit) * nearLamp(ray));
 #ifdef SHADOW
     ShadeLine shade = makeShadeLine(ray, shadeFrom, shadeTo, shadowBisections);
-    vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, cells, shade, intervals, darkPlaces(shade, intervals));
+    vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, cells, shade, intervals);
 #else
-    vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, cells, ShadeLine(0.0, 0.0, vec3(0.0), vec3(0.0), 0), 0, 0);
+    vec3 sum = integrateGobo(ray, optics, haze, lit.whole, sFrom, sTo, cells, ShadeLine(0.0, 0.0, vec3(0.0), vec3(0.0), 0), 0);
 #endif
 #ifdef LINE
     // A gobo's integral has no profile to carry the share.
@@ -185,13 +197,16 @@ vec3 litLight(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) {
 #else
     float smoothSum = integrateSoft(ray, optics, haze, lit, arc, profilePairs);
 #endif
+#ifdef NOISE
+    int looks = densityLooks(ray, arc);
+    smoothSum *= densityOf(ray, optics, haze, arc, 0.0, 1.0, looks);
+#else
+    int looks = 0;
+#endif
 #ifdef SHADOW
-    smoothSum = max(smoothSum - integrateDark(ray, optics, haze, arc, shadeFrom, shadeTo, intervals, shadowBisections), 0.0);
+    smoothSum = max(smoothSum - integrateDark(ray, optics, haze, arc, shadeFrom, shadeTo, intervals, shadowBisections, looks), 0.0);
 #endif
     vec3 sum = vec3(smoothSum);
-#endif
-#if defined(NOISE) && !defined(GOBO)
-    sum *= densityOf(ray, optics, haze, arc, noiseNodes, 0.5);
 #endif
     return sum;
 #endif

@@ -2,22 +2,20 @@
 //
 // Whoever includes this provides
 //     Real densityAround(Real t, Real apartM);   haze density relative to the mean, t [m] from the eye, for looks apartM apart
-//     bool seesLamp(Real3 pointM);               does a point (lamp space) see the lamp?
 // Needs beam_integral.glsl.
 
-// Mean density along an arc, weighted by the light that comes from there: what even haze gives is multiplied by it (ratio estimator). Exact for
-// even haze, and an error only in proportion to how uneven it is. `shift` in 0..1 places the nodes within their intervals.
-Real densityOf(LampRay ray, BeamOptics optics, HazeMedium haze, Arc arc, int nodes, Real shift) {
-    Real apart = Real(1.0) / Real(nodes);
+// Mean density along a part of an arc (shares of it, 0..1), weighted by the light that comes from there: what even haze gives is multiplied by it
+// (ratio estimator). Exact for even haze, and an error only in proportion to how uneven it is.
+Real densityOf(LampRay ray, BeamOptics optics, HazeMedium haze, Arc arc, Real from, Real to, int nodes) {
+    Real apart = (to - from) / Real(nodes);
     Real apartPerH = apart / ray.h;
     Real sum = Real(0.0);
     Real weights = Real(0.0);
     int node = 0;
     do {
-        Real x = (Real(node) + shift) * apart;
         Real jacobian;
-        LampSample here = arcSample(ray, arc, x, optics.apexToLensM, jacobian);
-        Real weight = seesLamp(here.direction * here.distanceM) ? beamKernel(here, optics, haze) * jacobian : Real(0.0);
+        LampSample here = arcSample(ray, arc, from + (Real(node) + Real(0.5)) * apart, optics.apexToLensM, jacobian);
+        Real weight = beamKernel(here, optics, haze) * jacobian;
         // ds = r^2 / h du, s = r sin u
         Real apartM = here.distanceM * here.distanceM * jacobian * apartPerH;
         sum += weight * densityAround(ray.tClosest - here.distanceM * here.cosScatter, apartM);

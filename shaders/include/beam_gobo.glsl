@@ -2,6 +2,13 @@
 // stand in the way, the gobo is looked at in even cells along the line that the ray draws on it, with a cubic for all that is smooth.
 // Needs beam_shade.glsl, gobo_table.glsl, gobo.glsl and the beam's input (beam_pixel.glsl).
 
+// Rays that pass close by the lamp are the brightest and weigh most in the picture's error: the root of how much brighter they are than one a tenth
+// of a radian beside it, 1..8.
+float nearLamp(LampRay ray) {
+    float lampPerH = sqrt(1.0 + ray.tClosest * ray.tClosest / (ray.h * ray.h));
+    return clamp(sqrt(0.1 * lampPerH), 1.0, 8.0);
+}
+
 // What is smooth along a part of the line, as a cubic.
 struct GoboCubic {
     float even0;
@@ -69,7 +76,7 @@ float goboLevel(LampRay ray, GoboLine line, float tangent) {
 }
 
 // How much of what the swirls of uneven haze hold beyond a cubic comes back, at most, in an integral through a gobo.
-const float SWIRLS_SHARE = 0.2;
+const float SWIRLS_SHARE = 0.35;
 
 // A part of a pixel's line on its gobo, and what is smooth along it.
 struct GoboPart {
@@ -194,20 +201,22 @@ GoboPart goboPart(LampRay ray, BeamOptics optics, HazeMedium haze, GoboLine line
     part.fieldTangent = 1.0 / length(gobo.yz);
     part.fieldHalfAngle = atan(part.fieldTangent);
     part.asTabled = whole;
-    part.steep = missed > goboTolerance;
+    // A part of the line has its edges where the light is.
+    float near = nearLamp(ray);
+    part.steep = missed * near * near > (whole ? 1.0 : 0.4) * goboTolerance;
     // Cells are as long as those of a chord through the middle, shorter where much changes along them.
     float length = 0.5 * abs(part.xiTo - part.xiFrom) * sqrt((1.0 - line.distance) * (1.0 + line.distance));
-    float share = finer * (whole ? 0.5 : 1.0);
+    float share = finer * (!whole ? 1.4 : part.steep ? 1.0 : 0.75);
     part.cells = clamp(int(ceil(float(cells) * length * share)), 4, 4 * cells);
     float cellTexels = goboTexels(abs((part.xiTo - part.xiFrom) * line.endTangent)) / float(part.cells);
     part.cellLevel = log2(CELL_BLUR * max(cellTexels, 1.0));
     return part;
 }
 
-// The integral over what is lit between two places of the ray [m]; `whole` if the ray crosses all of the beam. What `dark` names of the shade line
-// is taken off.
+// The integral over what is lit between two places of the ray [m]; `whole` if the ray crosses all of the beam. What does not see the lamp in
+// `intervals` of the shade line is taken off.
 vec3 integrateGobo(LampRay ray, BeamOptics optics, HazeMedium haze, bool whole, float sFrom, float sTo, int cells, ShadeLine shade,
-                   int intervals, int dark) {
+                   int intervals) {
     GoboLine line;
     bool meets = goboLine(ray, gobo.yz, optics.exponent, line);
     vec4 values;
@@ -227,17 +236,25 @@ vec3 integrateGobo(LampRay ray, BeamOptics optics, HazeMedium haze, bool whole, 
     vec3 tabled = throughGobo(values, part.spread, line, float(table / 2), table % 2 == 1, blur);
     sum = byTable ? tabled : sum;
 #ifdef SHADOW
+    int pieces = shadePieces(intervals);
+    int each = (intervals + pieces - 1) / pieces;
+    int piece = 0;
     do {
-        float darkFrom;
-        float darkTo;
-        bool some = nextDarkRun(shade, intervals, dark, darkFrom, darkTo);
-        float xiFrom = goboXi(ray, line, shadeLinePlace(shade, darkFrom));
-        float xiTo = goboXi(ray, line, shadeLinePlace(shade, darkTo));
-        vec2 shares = clamp((vec2(xiFrom, xiTo) - part.xiFrom) / (part.xiTo - part.xiFrom), 0.0, 1.0);
-        // The table's line may run against the ray.
-        float shareFrom = min(shares.x, shares.y);
-        sum -= goboCells(ray, optics, haze, part, shareFrom, some ? max(shares.x, shares.y) : shareFrom);
-    } while (dark != 0);
+        ShadeLine stretch = shadePiece(shade, piece, pieces);
+        int dark = darkPlaces(stretch, each);
+        do {
+            float darkFrom;
+            float darkTo;
+            bool some = nextDarkRun(stretch, each, dark, darkFrom, darkTo);
+            float xiFrom = goboXi(ray, line, shadeLinePlace(stretch, darkFrom));
+            float xiTo = goboXi(ray, line, shadeLinePlace(stretch, darkTo));
+            vec2 shares = clamp((vec2(xiFrom, xiTo) - part.xiFrom) / (part.xiTo - part.xiFrom), 0.0, 1.0);
+            // The table's line may run against the ray.
+            float shareFrom = min(shares.x, shares.y);
+            sum -= goboCells(ray, optics, haze, part, shareFrom, some ? max(shares.x, shares.y) : shareFrom);
+        } while (dark != 0);
+        ++piece;
+    } while (piece < pieces);
 #endif
     return meets ? max(sum, vec3(0.0)) : vec3(0.0);
 }

@@ -8,7 +8,7 @@
 //     Real3 shadePlace(Real3 pointM);    what a point (lamp space) is to the shadow map: straight lines stay straight
 //     Real placeWeight(Real3 place);     how much shorter the map draws what is there, as 1 / axial distance; 1 if it does not
 //     bool placeSeesLamp(Real3 place);   does it see the lamp?
-// Needs beam_integral.glsl.
+// Needs beam_integral.glsl, with NOISE beam_density.glsl.
 
 // A part of the ray that something may shade, seen by the shadow map, x = 0..1.
 struct ShadeLine {
@@ -33,7 +33,21 @@ Real shadeLinePlace(ShadeLine line, Real x) {
     return (from * line.sFrom + to * line.sTo) / (from + to);
 }
 
-// Bit i: place i of an even division does not see the lamp. At most 29 intervals; with none, nothing is looked at.
+// An integer has marks for the ends of so many.
+const int MOST_INTERVALS = 29;
+
+// Into how many pieces a line of more intervals is cut.
+int shadePieces(int intervals) { return max((intervals + MOST_INTERVALS - 1) / MOST_INTERVALS, 1); }
+
+// One of even pieces of a line.
+ShadeLine shadePiece(ShadeLine line, int piece, int pieces) {
+    Real from = Real(piece) / Real(pieces);
+    Real to = Real(piece + 1) / Real(pieces);
+    Real3 way = line.to - line.from;
+    return ShadeLine(shadeLinePlace(line, from), shadeLinePlace(line, to), line.from + way * from, line.from + way * to, line.bisections);
+}
+
+// Bit i: place i of an even division does not see the lamp. At most MOST_INTERVALS; with none, nothing is looked at.
 int darkPlaces(ShadeLine line, int intervals) {
     Real apart = Real(1.0) / Real(max(intervals, 1));
     int dark = 0;
@@ -81,25 +95,36 @@ bool nextDarkRun(ShadeLine line, int intervals, INOUT(int) dark, OUT(Real) from,
     return some;
 }
 
-// The integral over what is lit but for the bodies in the way, within sFrom..sTo [m].
+// The integral over what is lit but for the bodies in the way, within sFrom..sTo [m]. With NOISE, uneven haze is looked at in `looks` places of the
+// whole arc, three at least in each dark run: so that runs end where shadows do, not at the nearest look.
 Real integrateDark(LampRay ray, BeamOptics optics, HazeMedium haze, Arc arc, Real sFrom, Real sTo, int intervals,
-                   int bisections) {
+                   int bisections, int looks) {
     ShadeLine line = makeShadeLine(ray, sFrom, sTo, bisections);
-    int dark = darkPlaces(line, intervals);
+    int pieces = shadePieces(intervals);
+    int each = (intervals + pieces - 1) / pieces;
     Real sum = Real(0.0);
+    int piece = 0;
     do {
-        Real from;
-        Real to;
-        bool some = nextDarkRun(line, intervals, dark, from, to);
-        Real shareFrom = arcShare(arc, tangentAt(ray, shadeLinePlace(line, from)));
-        Real shareTo = arcShare(arc, tangentAt(ray, shadeLinePlace(line, to)));
-        Real run = Real(0.0);
-        for (int i = 0; i < 4; ++i) {
-            Real jacobian;
-            LampSample here = arcSample(ray, arc, shareFrom + gaussNode4(i) * (shareTo - shareFrom), optics.apexToLensM, jacobian);
-            run += gaussWeight4(i) * jacobian * beamKernel(here, optics, haze);
-        }
-        sum += some ? run * (shareTo - shareFrom) : Real(0.0);
-    } while (dark != 0);
+        ShadeLine part = shadePiece(line, piece, pieces);
+        int dark = darkPlaces(part, each);
+        do {
+            Real from;
+            Real to;
+            bool some = nextDarkRun(part, each, dark, from, to);
+            Real shareFrom = arcShare(arc, tangentAt(ray, shadeLinePlace(part, from)));
+            Real shareTo = arcShare(arc, tangentAt(ray, shadeLinePlace(part, to)));
+            Real run = Real(0.0);
+            for (int i = 0; i < 4; ++i) {
+                Real jacobian;
+                LampSample here = arcSample(ray, arc, shareFrom + gaussNode4(i) * (shareTo - shareFrom), optics.apexToLensM, jacobian);
+                run += gaussWeight4(i) * jacobian * beamKernel(here, optics, haze);
+            }
+#ifdef NOISE
+            run *= densityOf(ray, optics, haze, arc, shareFrom, shareTo, some ? max(int(ceil(Real(looks) * (shareTo - shareFrom))), 3) : 1);
+#endif
+            sum += some ? run * (shareTo - shareFrom) : Real(0.0);
+        } while (dark != 0);
+        ++piece;
+    } while (piece < pieces);
     return sum;
 }

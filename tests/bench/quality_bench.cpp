@@ -75,7 +75,7 @@ bool has(const RandomAir& air, const char* word) {
 AirQuality finest() {
     AirQuality quality;
     quality.gridStep = 1;
-    quality.shadowIntervals = 29;
+    quality.shadowIntervals = 232;
     quality.profilePairs = 4;
     quality.goboTaps = 256;
     quality.noiseNodes = 128;
@@ -291,7 +291,7 @@ int main(int argc, char** argv) {
     };
     run({"taps, no shadow", tapCounts, taps, onlyGobo}, gobo);
     run({"taps, with shadow", tapCounts, taps, noNoise}, both);
-    run({"intervals", {4, 6, 8, 12, 16, 22, 29}, intervals, onlyShadow}, shadow);
+    run({"intervals", {4, 6, 8, 12, 16, 29, 58, 116}, intervals, onlyShadow}, shadow);
     run({"noise nodes", nodeCounts, nodes, onlyNoise}, noise);
     run({"noise nodes, gobo", nodeCounts, nodes, noShadow}, noisyGobo);
     const std::vector<double> bends{1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005};

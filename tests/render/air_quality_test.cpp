@@ -28,7 +28,7 @@ TEST(AirQuality, ASmallerErrorNeverAsksForLess) {
 TEST(AirQuality, WhatTheShadersCanDoIsNotExceeded) {
     for (const double error : {0.5, 1e-4}) {
         const render::AirQuality quality = render::airQualityFor(error);
-        EXPECT_TRUE(quality.shadowIntervals >= 4 && quality.shadowIntervals <= 29);
+        EXPECT_TRUE(quality.shadowIntervals >= 4 && quality.shadowIntervals <= 232);
         EXPECT_TRUE(quality.profilePairs >= 2 && quality.profilePairs <= 4);
     }
 }
