@@ -47,9 +47,9 @@ TEST_F(MaxErrorGl, IsKeptInRandomScenes) {
     }
 }
 
-// Each of these was once over the error asked for: beams that are seen along their length through uneven haze, a
-// gobo looked at in too few cells, a lens looked straight into through a gobo, a shadow's edge in uneven haze,
-// thin bodies between two looks.
+// Each of these was once over the error asked for: beams that are seen along their length through uneven
+// haze, a gobo looked at in too few cells, a lens looked straight into through a gobo, a shadow's edge in
+// uneven haze, thin bodies between two looks.
 TEST_F(MaxErrorGl, IsKeptWhereItOnceWasNot) {
     const RandomAirAssets assets = addRandomAirAssets(renderer());
     for (const std::uint32_t seed : {7008u, 7015u, 7033u, 7036u, 9021u, 9038u}) {
