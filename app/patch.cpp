@@ -9,7 +9,7 @@
 
 #include "app/fixture_library.h"
 #include "app/nearest_name.h"
-#include "fixtures/gdtf.h"
+#include "fixtures/fixture_file.h"
 #include "fixtures/parse_error.h"
 
 namespace hazer::app {
@@ -25,7 +25,7 @@ using TypesByPath = std::map<std::filesystem::path, fixtures::FixtureTypePtr>;
 fixtures::FixtureTypePtr loadType(const Show& show, const ShowFixture& fixture, TypesByPath& loaded) {
     const std::filesystem::path path = resolveGdtf(fixture.gdtf, show.file.parent_path());
     fixtures::FixtureTypePtr& type = loaded[path];
-    if (type == nullptr) type = fixtures::loadGdtf(path);
+    if (type == nullptr) type = fixtures::loadFixtureType(path);
     return type;
 }
 
@@ -65,6 +65,7 @@ Patch::Patch(const Show& show) {
         } catch (const std::runtime_error& error) {
             failFixture(show, written, error.what());
         }
+        fixtures_.back().fixture.setInertia(show.hasInertia);
         holdAsWritten(show, written, fixtures_.back().fixture);
     }
 }

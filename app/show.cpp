@@ -251,6 +251,7 @@ Show readShow(TomlReader reader, const std::filesystem::path& file) {
     show.file = file;
     show.title = reader.text("title", file.stem().string());
     show.backgroundCdPerM2 = rec2020FromRec709(reader.vector("background", glm::dvec3(0.0), kLight));
+    show.hasInertia = reader.flag("inertia", true);
     if (const auto haze = reader.table("haze")) show.haze = readHaze(*haze);
     if (const auto exposure = reader.table("exposure")) {
         show.exposureEv100 = readExposure(*exposure, show.exposureEv100);

@@ -95,6 +95,7 @@ struct Show {
     render::Haze haze;
     render::Ambient ambient;
     float exposureEv100 = 8.0f;
+    bool hasInertia = true;  ///< Motors of fixtures have speed and acceleration.
     std::vector<ShowInput> inputs;
     std::vector<ShowRecording> recordings;
     std::vector<ShowCamera> cameras;  ///< Never empty: a show without any gets one named "default".

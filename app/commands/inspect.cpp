@@ -10,7 +10,7 @@
 #include "app/fixture_library.h"
 #include "app/inspection.h"
 #include "app/recording_summary.h"
-#include "fixtures/gdtf.h"
+#include "fixtures/fixture_file.h"
 #include "protocol/recording/recording_player.h"
 
 namespace hazer::app {
@@ -38,7 +38,7 @@ std::string inspectShow(const InspectOptions& options) {
 }
 
 std::string inspectFixtureType(const InspectOptions& options) {
-    const fixtures::FixtureTypePtr type = fixtures::loadGdtf(resolveGdtf(options.file, {}));
+    const fixtures::FixtureTypePtr type = fixtures::loadFixtureType(resolveGdtf(options.file, {}));
     return options.isJson ? printable(describeFixtureType(*type)) : summarizeFixtureType(*type);
 }
 
@@ -80,8 +80,9 @@ int runInspect(const InspectOptions& options) {
 
 void addInspectCommand(CLI::App& program, Command& chosen) {
     auto options = std::make_shared<InspectOptions>();
-    CLI::App* command =
-        program.add_subcommand("inspect", "Say what is in a fixture file (GDTF), a show or a recording.");
+    CLI::App* command = program.add_subcommand(
+        "inspect",
+        "Say what is in a fixture file (GDTF, QLC+, Open Fixture Library), a show or a recording.");
     beginHelpWith(*command,
                   "  hazer inspect myshow.toml            which fixture listens to which slots\n"
                   "  hazer inspect fixture.gdtf           modes, channels and wheels\n"
@@ -90,8 +91,8 @@ void addInspectCommand(CLI::App& program, Command& chosen) {
     command
         ->add_option(
             "FILE", options->file,
-            "A show (.toml), a .gdtf file or its unpacked folder, a fixture of hazer's library, or a "
-            "recording (pcap, pcapng, OLA show file, FSEQ)")
+            "A show (.toml), a .gdtf file or its unpacked folder, a .qxf or Open Fixture Library .json "
+            "file, a fixture of hazer's library, or a recording (pcap, pcapng, OLA show file, FSEQ)")
         ->required();
     command->add_flag("--json", options->isJson, "Print JSON");
     addMomentOption(*command, "--at", options->moment, "The moment of a recording; its end unless given");

@@ -7,6 +7,7 @@
 
 #include "app/assignment.h"
 #include "app/fixture_library.h"
+#include "tests/support/temporary_folder.h"
 
 namespace hazer::app {
 namespace {
@@ -54,6 +55,32 @@ TEST(Library, hasTheFixturesThatComeWithHazer) {
 TEST(Patch, hungFixtureShinesDown) {
     Patch patch = patchOf(fixtureText("a", "moving-spot", 1));
     expectDirection(beamDirection(patch, "a"), {0.0, 0.0, -1.0});
+}
+
+TEST(Patch, inertiaCanBeSwitchedOff) {
+    const std::string fixture = fixtureText("a", "moving-spot", 1);
+    for (const bool hasInertia : {true, false}) {
+        Patch patch = patchOf((hasInertia ? "" : "inertia = false\n") + fixture);
+        fixtures::Fixture& head = patch.find("a")->fixture;
+        head.hold("Tilt", 90.0);
+        patch.step(0.1);
+        const double down = head.state().beams.at(0).worldFromBeam[2].z;
+        EXPECT_EQ(down < 0.01, !hasInertia);
+    }
+}
+
+TEST(Patch, readsDefinitionsOfOtherPrograms) {
+    const test::TemporaryFolder folder;
+    folder.write("lamp.qxf",
+                 R"(<FixtureDefinition><Model>Lamp</Model><Channel Name="Dimmer" Preset="IntensityDimmer"/>
+              <Mode Name="Standard"><Channel Number="0">Dimmer</Channel></Mode></FixtureDefinition>)");
+    folder.write("lamp.json",
+                 R"({"name": "Lamp", "availableChannels": {"Dimmer": {"capability": {"type": "Intensity"}}},
+              "modes": [{"name": "Standard", "channels": ["Dimmer"]}]})");
+    for (const char* file : {"lamp.qxf", "lamp.json"}) {
+        Patch patch(parseShow(fixtureText("a", file, 1, "set = { Dimmer = 1.0 }"), folder.path() / "a.toml"));
+        EXPECT_GT(patch.find("a")->fixture.state().beams.at(0).fluxLm, 0.0) << file;
+    }
 }
 
 TEST(Patch, tiltTurnsAboutTheFixturesX) {

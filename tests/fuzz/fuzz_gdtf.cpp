@@ -1,14 +1,12 @@
 // A .gdtf archive or a description.xml may hold anything: it becomes a fixture type that can be patched and
 // driven, or a ParseError and nothing else.
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
 
-#include "fixtures/fixture.h"
 #include "fixtures/gdtf.h"
-#include "fixtures/parse_error.h"
+#include "tests/fuzz/fixture_target.h"
 
 namespace {
 
@@ -19,20 +17,6 @@ FixtureTypePtr parse(std::span<const std::uint8_t> data) {
     const std::string_view text(reinterpret_cast<const char*>(data.data()), data.size());
     if (text.starts_with(kZipSignature)) return parseGdtfArchive({data.begin(), data.end()}, "fuzz.gdtf");
     return std::make_shared<FixtureType>(parseGdtfDescription(text, "fuzz.xml", nullptr));
-}
-
-// The slots are taken from the input, so that the fuzzer finds its way into every channel function.
-void drive(Fixture& fixture, std::span<const std::uint8_t> data) {
-    std::array<std::uint8_t, 512> slots{};
-    for (std::size_t index = 0; index < slots.size() && index < data.size(); ++index)
-        slots[index] = data[index];
-    fixture.decode(slots);
-    for (const AttributeRange& range : fixture.attributes()) {
-        fixture.encode(range.attribute, range.physicalTo, slots);
-        fixture.hold(range.attribute, range.physicalFrom);
-    }
-    fixture.step(0.02);
-    fixture.state();
 }
 
 }  // namespace
