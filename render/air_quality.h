@@ -21,7 +21,7 @@ struct AirQuality {
 };
 
 /// The error that is kept to when none is asked for.
-inline constexpr double kDefaultMaxError = 0.01;
+inline constexpr double kDefaultMaxError = 0.025;
 
 /// The cheapest quality whose root mean square error, as a share of that of the light in the air, stays below
 /// `maxError` (0.0001..0.5), by the error laws in docs/rendering.md.

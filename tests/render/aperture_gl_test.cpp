@@ -96,6 +96,7 @@ class ApertureGl : public GlTest {
     FloatImage drawn(const Scene& scene, int samples = 96) {
         render::Settings settings;
         settings.samples = samples;
+        settings.maxError = 0.01;
         const Camera camera{{1.0, -8.0, 4.0}, {0.0, 0.0, 2.5}, {0.0, 0.0, 1.0}, 45.0 * kRadPerDeg};
         return draw(scene, camera, kSize, kSize, settings);
     }
@@ -239,7 +240,7 @@ TEST_F(ApertureGl, InTheAirItKeepsTheErrorAskedFor) {
     scene.beams[0].gobo = gobo_;
     scene.beams[0].aperture.irisRadius = 0.6;
     scene.beams[0].aperture.blades[0].distance = 0.3;
-    EXPECT_LT(difference(drawn(scene, 0), drawn(scene, 1024)), 0.0125);
+    EXPECT_LT(difference(drawn(scene, 0), drawn(scene, 1024)), 0.01);
 }
 
 // Frost blurs a gobo's edges, and takes no light away.
