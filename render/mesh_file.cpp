@@ -31,7 +31,7 @@ constexpr std::size_t kMaxParsedVertices = 2'000'000;
 /// Edges sharper than this stay edges where the file has no normals of its own.
 constexpr float kSmoothingAngleDeg = 50.0f;
 
-RenderError cannotRead(const fs::path& file, std::string_view reason) {
+RenderError cannotReadMesh(const fs::path& file, std::string_view reason) {
     return RenderError(fmt::format("cannot read mesh '{}': {}", file.string(), reason));
 }
 
@@ -114,7 +114,7 @@ void appendPart(Mesh& mesh, const aiMesh& part, float metres, const fs::path& fi
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (unsigned i = 0; i < part.mNumVertices; ++i) {
         const glm::vec3 positionM = metres * zUpFromYUp(part.mVertices[i]);
-        if (!isFinite(positionM)) throw cannotRead(file, "a vertex is not at a finite place");
+        if (!isFinite(positionM)) throw cannotReadMesh(file, "a vertex is not at a finite place");
         mesh.vertices.push_back({positionM, unitNormal(part.mNormals[i])});
     }
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
@@ -147,15 +147,15 @@ void configure(Assimp::Importer& importer, Assimp::IOSystem* files) {
 
 Mesh meshOf(const Assimp::Importer& importer, std::size_t maxVertices, const fs::path& file) {
     const aiScene* const scene = importer.GetScene();
-    if (scene == nullptr) throw cannotRead(file, importer.GetErrorString());
+    if (scene == nullptr) throw cannotReadMesh(file, importer.GetErrorString());
     std::size_t vertices = 0;
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) vertices += scene->mMeshes[i]->mNumVertices;
     if (vertices > maxVertices)
-        throw cannotRead(file, fmt::format("it has more than {} vertices; simplify it", maxVertices));
+        throw cannotReadMesh(file, fmt::format("it has more than {} vertices; simplify it", maxVertices));
     Mesh mesh;
     for (unsigned i = 0; i < scene->mNumMeshes; ++i)
         appendPart(mesh, *scene->mMeshes[i], metresPerUnit(file), file);
-    if (mesh.indices.empty()) throw cannotRead(file, "there is no triangle in it");
+    if (mesh.indices.empty()) throw cannotReadMesh(file, "there is no triangle in it");
     windByNormals(mesh);
     return mesh;
 }
@@ -164,11 +164,11 @@ Mesh meshOf(const Assimp::Importer& importer, std::size_t maxVertices, const fs:
 
 Mesh loadMesh(const fs::path& file) {
     std::error_code error;
-    if (!fs::is_regular_file(file, error)) throw cannotRead(file, "there is no such file");
+    if (!fs::is_regular_file(file, error)) throw cannotReadMesh(file, "there is no such file");
     const std::uintmax_t bytes = fs::file_size(file, error);
-    if (error) throw cannotRead(file, error.message());
+    if (error) throw cannotReadMesh(file, error.message());
     if (bytes > kMaxFileBytes) {
-        throw cannotRead(file, fmt::format("it is larger than {} MiB; simplify it", kMaxFileBytes >> 20));
+        throw cannotReadMesh(file, fmt::format("it is larger than {} MiB; simplify it", kMaxFileBytes >> 20));
     }
     Assimp::Importer importer;
     configure(importer, new FolderOnly(file));
