@@ -57,6 +57,7 @@ int main(int argumentCount, char** arguments) {
     addReplayCommand(program, chosen);
     addInspectCommand(program, chosen);
     addExplainCommand(program, chosen);
+    addLibraryCommand(program, chosen);
     try {
         program.parse(argumentCount, arguments);
     } catch (const CLI::ParseError& error) {

@@ -20,6 +20,12 @@ render::Settings settingsOf(const Show& show) {
     return settings;
 }
 
+HazeSupply supplyOf(const Patch& patch) {
+    HazeSupply supply;
+    for (const PatchedFixture& patched : patch.fixtures()) supply.add(patched.fixture.output());
+    return supply;
+}
+
 }  // namespace
 
 Session::Session(Show show, const SessionOptions& options)
@@ -65,8 +71,14 @@ void Session::advance(double dtS) {
     }
     patch_.decode(latched_);
     patch_.step(dtS);
+    roomHaze_.step(supplyOf(patch_), dtS);
     timeS_ += dtS;
     frameTimes_.advanceMs = millisecondsSince(start);
+}
+
+void Session::settle() {
+    patch_.settle();
+    roomHaze_.settle(supplyOf(patch_));
 }
 
 void Session::draw() {
@@ -76,7 +88,11 @@ void Session::draw() {
 }
 
 render::Scene Session::scene() {
-    return staging_.scene(patch_, controls_, timeS_);
+    SceneControls controls = controls_;
+    const auto added = static_cast<float>(roomHaze_.extinctionPerM());
+    controls.haze.extinctionPerM += added;
+    controls.haze.scatteringPerM += added;
+    return staging_.scene(patch_, controls, timeS_);
 }
 
 }  // namespace hazer::app

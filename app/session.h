@@ -9,6 +9,7 @@
 #include "app/inputs.h"
 #include "app/patch.h"
 #include "app/playback.h"
+#include "app/room_haze.h"
 #include "app/show.h"
 #include "app/staging.h"
 #include "protocol/universe_merger.h"
@@ -49,13 +50,13 @@ class Session {
     void advance(double dtS);
 
     /// Puts all mechanics where they want to go, as if a long time had passed.
-    void settle() { patch_.settle(); }
+    void settle();
 
     /// Draws the show as it stands, with camera(), controls() and settings(), into the renderer's own
     /// targets.
     void draw();
 
-    /// What draw() draws.
+    /// What draw() draws. The haze is that of controls() and what the show's machines have added to it.
     render::Scene scene();
 
     double timeS() const { return timeS_; }         ///< Since the start; moves the noise in the haze.
@@ -86,6 +87,7 @@ class Session {
     render::Renderer renderer_;
     Staging staging_;
     SceneControls controls_;
+    RoomHaze roomHaze_;
     render::Camera camera_;
     render::Settings settings_;
     Inputs inputs_;

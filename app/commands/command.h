@@ -31,6 +31,7 @@ void addRecordCommand(CLI::App& program, Command& chosen);
 void addReplayCommand(CLI::App& program, Command& chosen);
 void addInspectCommand(CLI::App& program, Command& chosen);
 void addExplainCommand(CLI::App& program, Command& chosen);
+void addLibraryCommand(CLI::App& program, Command& chosen);
 
 /// Lets the help of a command (or of the program) begin with examples, one a line.
 void beginHelpWith(CLI::App& command, const std::string& examples);

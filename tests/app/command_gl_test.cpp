@@ -65,6 +65,17 @@ TEST_F(RenderTest, writesErrorAndCostInsteadOfLight) {
     }
 }
 
+TEST_F(RenderTest, drawsFixturesOfTheLibrary) {
+    const test::ProcessResult result = test::runProcess(
+        HAZER_PROGRAM, {"library", "moving-profile", "hazer", "--thumbnails", fileIn("small")});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    const render::FloatImage profile = render::readFloatImage(fileIn("small/moving-profile.png"));
+    EXPECT_EQ(profile.width, 192);
+    EXPECT_GT(brightest(profile), 0.5);
+    // The machine itself, by the light that shows bodies.
+    EXPECT_GT(brightest(render::readFloatImage(fileIn("small/hazer.png"))), 0.1);
+}
+
 // A recording plays in the time of the film: dark for a second, then lit, and the same every time.
 TEST_F(RenderTest, playsARecordingTheSameEveryTime) {
     const std::string night =

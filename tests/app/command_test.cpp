@@ -19,6 +19,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 test::ProcessResult hazer(const std::vector<std::string>& arguments,
@@ -186,6 +187,26 @@ TEST(Inspect, libraryFixtureAsJson) {
     EXPECT_NEAR(mode["beams"][0]["direction"][2].get<double>(), -1.0, 1e-9);
     EXPECT_LT(mode["beams"][0]["position_m"][2].get<double>(), -0.3);
     EXPECT_GE(json["wheels"].size(), 2u);
+}
+
+TEST(Library, listsWhatFixturesCan) {
+    const test::ProcessResult result = hazer({"library", "--json"});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    const nlohmann::json library = nlohmann::json::parse(result.output);
+    EXPECT_GE(library.size(), 14u);
+    for (const nlohmann::json& fixture : library) {
+        EXPECT_EQ(fixture["manufacturer"], "hazer");
+        EXPECT_FALSE(fixture["modes"].empty()) << fixture;
+        EXPECT_GE(fixture["modes"][0]["slots"], 1) << fixture;
+    }
+    const test::ProcessResult profile = hazer({"library", "moving-profile"});
+    EXPECT_THAT(profile.output, HasSubstr("2 gobo wheels"));
+    EXPECT_THAT(profile.output, HasSubstr("4 framing blades"));
+    EXPECT_THAT(profile.output, HasSubstr("33000 lm"));
+    EXPECT_THAT(profile.output, Not(HasSubstr("fresnel")));
+    const test::ProcessResult unknown = hazer({"library", "moving-profil"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_THAT(unknown.errors, HasSubstr("Did you mean 'moving-profile'?"));
 }
 
 TEST(Inspect, warnsAboutOverlaps) {
