@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/light_color.h"
+#include "render/photometry.h"
 
 namespace hazer::app {
 namespace {
@@ -29,6 +30,8 @@ constexpr double kAnimationRadius = 0.35;
 
 /// A beam shaper spreads an oval this much wider than high.
 constexpr double kMostOval = 0.6;
+
+constexpr double kWidestOvalRad = 1.55;
 
 /// Barn doors stand before the lens: their edges are as soft as this, where those of blades are sharp.
 constexpr double kSoftestEdge = 0.6;
@@ -103,6 +106,25 @@ void addBlades(const fixtures::ShaperState& shaper, render::Aperture& aperture) 
     aperture.softness = kSoftestEdge * shaper.softness;
 }
 
+/// The share of a beam's light that an oval lets through which is as wide as its field, and `height` as high.
+double lightInOval(const render::Beam& beam, double height) {
+    constexpr int kRings = 64;
+    const render::BeamShape shape = render::beamShape(beam);
+    const double fieldTangent = std::tan(std::min(shape.fieldHalfAngleRad, kWidestOvalRad));
+    double inside = 0.0;
+    double all = 0.0;
+    for (int i = 0; i < kRings; ++i) {
+        const double psiRad = shape.cutHalfAngleRad * (i + 0.5) / kRings;
+        const double light = render::relativeIntensity(shape, psiRad) * std::sin(psiRad);
+        const double radius = psiRad < kWidestOvalRad ? std::tan(psiRad) / fieldTangent : 1.0;
+        // Where the ring meets the oval's edge.
+        const double sine = (1.0 / (radius * radius) - 1.0) / (1.0 / (height * height) - 1.0);
+        inside += light * 2.0 / kPi * std::asin(std::sqrt(std::clamp(sine, 0.0, 1.0)));
+        all += light;
+    }
+    return inside / all;
+}
+
 /// A beam's own shape takes no light: it comes out in a smaller area.
 void setShape(const fixtures::BeamState& state, render::Beam& beam) {
     render::Aperture& aperture = beam.aperture;
@@ -116,7 +138,7 @@ void setShape(const fixtures::BeamState& state, render::Beam& beam) {
         aperture.shape = render::ApertureShape::kOval;
         aperture.halfSize = {1.0, 1.0 - kMostOval * std::min(state.oval, 1.0)};
         aperture.shapeTurnRad = glm::radians(state.ovalAngleDeg);
-        beam.fluxLm /= aperture.halfSize.y;
+        beam.fluxLm /= lightInOval(beam, aperture.halfSize.y);
     }
 }
 
@@ -230,7 +252,7 @@ render::Beam copyOf(const render::Beam& beam, const fixtures::PrismFacet& facet,
         copy.aperture.shape = render::ApertureShape::kOval;
         copy.aperture.halfSize = {1.0, narrow};
         copy.aperture.shapeTurnRad = stretch.axisRad;
-        copy.fluxLm /= narrow;
+        copy.fluxLm /= lightInOval(copy, narrow);
     }
     return copy;
 }

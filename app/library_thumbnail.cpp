@@ -23,7 +23,7 @@ struct Look {
 constexpr std::array kLooks{Look{{0.1, 0.45, 1.0}, 215.0}, Look{{1.0, 0.5, 0.1}, 30.0},
                             Look{{0.9, 0.1, 0.6}, 320.0}, Look{{0.1, 0.9, 0.5}, 155.0}};
 
-constexpr double kHangHeightM = 3.0;
+constexpr double kHangHeightM = 2.0;
 constexpr double kZoomDeg = 16.0;
 constexpr double kPanDeg = -90.0;
 constexpr double kTiltDeg = 16.0;
@@ -98,16 +98,16 @@ Show showOf(const LibraryEntry& entry, const Look& look) {
 
     Show show;
     show.file = "thumbnail.toml";
-    show.haze.extinctionPerM = show.haze.scatteringPerM = 0.02f;
+    show.haze.extinctionPerM = show.haze.scatteringPerM = 0.08f;
     ShowCamera camera{"thumbnail", {}};
-    camera.camera = {.positionM = {0.3, -4.6, 1.3}, .targetM = {0.25, 0.0, 1.5}, .verticalFovRad = 0.75};
+    camera.camera = {.positionM = {0.15, -2.9, 1.5}, .targetM = {0.15, 0.0, 0.98}, .verticalFovRad = 0.75};
     show.cameras.push_back(camera);
     show.fixtures.push_back(patched);
     ShowObject floor;
     floor.shape = ObjectShape::kFloor;
     floor.name = "floor";
     floor.sizeM = {30.0, 30.0, 0.0};
-    floor.material.albedo = render::Color(0.2f);
+    floor.material.albedo = render::Color(0.05f);
     floor.material.specular = 0.0f;
     show.objects.push_back(floor);
     return show;
@@ -119,7 +119,7 @@ double brightLuminance(const render::FloatImage& radiance) {
     for (std::size_t i = 0; i + 2 < radiance.rgb.size(); i += 3) {
         luminances.push_back(luminance({radiance.rgb[i], radiance.rgb[i + 1], radiance.rgb[i + 2]}));
     }
-    const auto place = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() * 97 / 100);
+    const auto place = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() * 985 / 1000);
     std::nth_element(luminances.begin(), place, luminances.end());
     return std::max(*place, 1e-3);
 }
@@ -127,14 +127,14 @@ double brightLuminance(const render::FloatImage& radiance) {
 /// Light from beside the camera that shows the body, and hardly anything of the air.
 render::Beam bodyLight(const render::Camera& camera, const glm::dvec3& bodyM, double whiteCdPerM2) {
     render::Beam beam;
-    beam.lensPositionM = camera.positionM + glm::dvec3(-2.0, 0.0, 1.5);
+    beam.lensPositionM = camera.positionM + glm::dvec3(-1.2, 0.8, 0.8);
     const glm::dvec3 way = bodyM - beam.lensPositionM;
     beam.worldFromBeam =
         glm::dmat3(glm::mat3_cast(glm::dquat(glm::dvec3(0.0, 0.0, -1.0), glm::normalize(way))));
     beam.lensRadiusM = 0.0;
     beam.showsLens = false;
-    beam.fieldAngleRad = 0.3;
-    beam.beamAngleRad = 0.25;
+    beam.fieldAngleRad = 0.4;
+    beam.beamAngleRad = 0.3;
     const double bodyLx = kBodyShare * whiteCdPerM2 * std::numbers::pi / kBodyAlbedo;
     beam.intensityCd = bodyLx * glm::dot(way, way);
     return beam;
