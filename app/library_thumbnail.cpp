@@ -59,6 +59,11 @@ std::optional<double> posed(const fixtures::AttributeRange& range, const fixture
             return inRange(range, kTiltDeg);
         case AttributeKind::kZoom:
             return inRange(range, kZoomDeg);
+        case AttributeKind::kFocus:
+            // As near as it goes: the floor is.
+            return 0.0;
+        case AttributeKind::kFocusDistance:
+            return inRange(range, kHangHeightM);
         case AttributeKind::kGoboWheel:
             // Of two wheels the second is the one whose gobos turn.
             return attribute.number == 2 || !has("Gobo2") ? 3.0 : 1.0;
