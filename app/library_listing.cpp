@@ -29,7 +29,8 @@ struct Ability {
 };
 
 /// In the order in which they are told. {} is how many there are of them.
-constexpr std::array kAbilities{Ability{AttributeKind::kPan, "pan and tilt"},
+constexpr std::array kAbilities{Ability{AttributeKind::kDimmer, "dimmer"},
+                                Ability{AttributeKind::kPan, "pan and tilt"},
                                 Ability{AttributeKind::kTilt, "tilt"},
                                 Ability{AttributeKind::kPanRotate, "endless rotation"},
                                 Ability{AttributeKind::kPlace, "flies"},

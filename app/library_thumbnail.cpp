@@ -59,11 +59,6 @@ std::optional<double> posed(const fixtures::AttributeRange& range, const fixture
             return inRange(range, kTiltDeg);
         case AttributeKind::kZoom:
             return inRange(range, kZoomDeg);
-        case AttributeKind::kFocus:
-            // As near as it goes: the floor is.
-            return 0.0;
-        case AttributeKind::kFocusDistance:
-            return inRange(range, kHangHeightM);
         case AttributeKind::kGoboWheel:
             // Of two wheels the second is the one whose gobos turn.
             return attribute.number == 2 || !has("Gobo2") ? 3.0 : 1.0;
@@ -155,6 +150,8 @@ void drawThumbnail(const LibraryEntry& entry, int number, int width, int height,
     session.settings().width = width;
     session.settings().height = height;
     render::Scene scene = session.scene();
+    // The floor is nearer than lenses focus.
+    for (render::Beam& beam : scene.beams) beam.focusDistanceM = 0.0;
     const glm::dvec3 bodyM = session.show().fixtures.front().positionM + glm::dvec3(0.0, 0.0, -0.3);
     session.renderer().render(scene, session.camera(), session.settings());
     const double whiteCdPerM2 = brightLuminance(session.renderer().readRadiance()) / kLightShare;

@@ -196,6 +196,7 @@ TEST(Library, listsWhatFixturesCan) {
     EXPECT_GE(library.size(), 14u);
     for (const nlohmann::json& fixture : library) {
         EXPECT_EQ(fixture["manufacturer"], "hazer");
+        EXPECT_FALSE(fixture["can"].empty()) << fixture;
         EXPECT_FALSE(fixture["modes"].empty()) << fixture;
         EXPECT_GE(fixture["modes"][0]["slots"], 1) << fixture;
     }
