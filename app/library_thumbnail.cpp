@@ -16,12 +16,12 @@ namespace {
 using fixtures::AttributeKind;
 
 /// Red, green and blue of the looks, and their hue.
-struct Look {
+struct ColorLook {
     std::array<double, 3> rgb;
     double hueDeg;
 };
-constexpr std::array kLooks{Look{{0.1, 0.45, 1.0}, 215.0}, Look{{1.0, 0.5, 0.1}, 30.0},
-                            Look{{0.9, 0.1, 0.6}, 320.0}, Look{{0.1, 0.9, 0.5}, 155.0}};
+constexpr std::array kLooks{ColorLook{{0.1, 0.45, 1.0}, 215.0}, ColorLook{{1.0, 0.5, 0.1}, 30.0},
+                            ColorLook{{0.9, 0.1, 0.6}, 320.0}, ColorLook{{0.1, 0.9, 0.5}, 155.0}};
 
 constexpr double kHangHeightM = 2.0;
 constexpr double kZoomDeg = 16.0;
@@ -41,7 +41,7 @@ double inRange(const fixtures::AttributeRange& range, double value) {
 
 /// What an attribute stands at in the picture. Empty: where it rests.
 std::optional<double> posed(const fixtures::AttributeRange& range, const fixtures::Fixture& fixture,
-                            const Look& look) {
+                            const ColorLook& look) {
     const fixtures::Attribute attribute = fixtures::attributeOf(range.attribute);
     const auto color = static_cast<std::size_t>(attribute.number);
     const auto has = [&fixture](std::string_view name) { return fixture.value(name).has_value(); };
@@ -83,7 +83,7 @@ bool standsOnTheFloor(const fixtures::FixtureState& state) {
     return state.beams.empty() || state.beams.front().worldFromBeam[2].z < 0.0;
 }
 
-Show showOf(const LibraryEntry& entry, const Look& look) {
+Show thumbnailShow(const LibraryEntry& entry, const ColorLook& look) {
     const std::string& mode = entry.type->modes.front().name;
     const fixtures::Fixture fixture("lamp", entry.type, mode, 1, glm::dmat4(1.0));
     ShowFixture patched;
@@ -144,8 +144,8 @@ render::Beam bodyLight(const render::Camera& camera, const glm::dvec3& bodyM, do
 
 void drawThumbnail(const LibraryEntry& entry, int number, int width, int height,
                    const std::filesystem::path& file) {
-    const Look& look = kLooks[static_cast<std::size_t>(number) % kLooks.size()];
-    Session session(showOf(entry, look), {});
+    const ColorLook& look = kLooks[static_cast<std::size_t>(number) % kLooks.size()];
+    Session session(thumbnailShow(entry, look), {});
     session.settle();
     session.settings().width = width;
     session.settings().height = height;
