@@ -7,7 +7,10 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "app/nearest_name.h"
 #include "fixtures/text.h"
@@ -48,6 +51,20 @@ void warnIfOutOfRange(const std::string& text, const Assignment& assignment,
     }
 }
 
+/// Holds it in every fixture that has the attribute; says so if there is none.
+void assignToAll(const std::string& text, const Assignment& assignment, Patch& patch) {
+    bool isKnown = false;
+    std::set<std::string> attributes;
+    for (PatchedFixture& patched : patch.fixtures()) {
+        isKnown |= patched.fixture.hold(assignment.attribute, assignment.value);
+        for (std::string& name : attributeNames(patched.fixture)) attributes.insert(std::move(name));
+    }
+    if (isKnown) return;
+    const std::vector<std::string> names(attributes.begin(), attributes.end());
+    throw std::runtime_error(fmt::format("{}: no fixture has an attribute '{}'.{}", text,
+                                         assignment.attribute, suggestName(assignment.attribute, names)));
+}
+
 }  // namespace
 
 std::string checkAssignment(const std::string& text) {
@@ -58,6 +75,7 @@ std::string checkAssignment(const std::string& text) {
 void assign(const std::string& text, Patch& patch) {
     const std::optional<Assignment> assignment = parseAssignment(text);
     if (!assignment) throw std::runtime_error(checkAssignment(text));
+    if (assignment->fixture == "*") return assignToAll(text, *assignment, patch);
     PatchedFixture* patched = patch.find(assignment->fixture);
     if (patched == nullptr) {
         throw std::runtime_error(fmt::format("{}: the show has no fixture '{}'.{}", text, assignment->fixture,

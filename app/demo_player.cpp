@@ -8,7 +8,8 @@ DemoPlayer::DemoPlayer(const Patch& patch, std::uint16_t port) : patch_(patch), 
 
 int DemoPlayer::send(double timeS) {
     for (const PatchedFixture& patched : patch_.fixtures()) {
-        writeDemoLook(patched.fixture, timeS, slots_[patched.universe]);
+        if (const auto universe = firstUniverse(patched))
+            writeDemoLook(patched.fixture, timeS, slots_[*universe]);
     }
     for (const auto& [universe, slots] : slots_) sender_.send(universe.number, slots);
     return static_cast<int>(slots_.size());

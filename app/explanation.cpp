@@ -172,6 +172,7 @@ Explanation explainShow(const Show& show, const ExplainRequest& request) {
     patch.settle();
     render::AssetList assets;
     Staging staging(show, assets);
+    warnAboutRig(show, staging);
     const render::Scene scene = staging.scene(patch, controlsOf(show), 0.0);
     render::Settings settings;
     settings.width = request.width;

@@ -13,9 +13,8 @@ namespace hazer::app {
 namespace {
 
 bool isPatchedTo(protocol::Transport transport, const Show& show) {
-    return std::ranges::any_of(show.fixtures, [&](const ShowFixture& fixture) {
-        return fixture.universe.transport == transport ||
-               fixture.universe.transport == protocol::Transport::kAny;
+    return std::ranges::any_of(universesOf(show), [&](const protocol::UniverseId& universe) {
+        return universe.transport == transport || universe.transport == protocol::Transport::kAny;
     });
 }
 

@@ -1,6 +1,7 @@
 #include "app/inspection.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -89,6 +90,18 @@ Json describeWheel(const fixtures::Wheel& wheel) {
     return {{"name", wheel.name}, {"slots", std::move(slots)}};
 }
 
+Json describeBreaks(const PatchedFixture& patched) {
+    Json breaks = Json::array();
+    for (const ShowAddress& address : patched.addresses) {
+        const protocol::UniverseId universe = address.universes.front();
+        breaks.push_back({{"break", address.dmxBreak},
+                          {"protocol", protocolName(universe.transport)},
+                          {"universe", universe.number},
+                          {"slot", address.slot}});
+    }
+    return breaks;
+}
+
 Json describeSlots(const fixtures::Fixture& fixture) {
     Json slots = Json::object();
     for (const fixtures::ChannelPatch& channel : fixture.channels()) {
@@ -97,6 +110,21 @@ Json describeSlots(const fixtures::Fixture& fixture) {
         slots[isTaken ? channel.geometry + "." + channel.attribute : channel.attribute] = channel.slots;
     }
     return slots;
+}
+
+/// "Port-Address 3, slots 1 to 17; ..."
+std::string summarizeAddresses(const PatchedFixture& patched) {
+    if (patched.addresses.empty()) return "not patched";
+    std::vector<std::string> parts;
+    for (const ShowAddress& address : patched.addresses) {
+        std::vector<std::string> universes;
+        for (const protocol::UniverseId& universe : address.universes)
+            universes.push_back(describeUniverse(universe));
+        const int footprint = fixtures::footprintOf(patched.fixture.mode(), address.dmxBreak);
+        parts.push_back(fmt::format("{}, slots {} to {}", fmt::join(universes, " or "), address.slot,
+                                    address.slot + footprint - 1));
+    }
+    return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 double halfAngleDeg(const ShowLight& light) {
@@ -147,10 +175,13 @@ Json describeShow(const Show& show, const Patch& patch) {
     for (const PatchedFixture& patched : patch.fixtures()) {
         fixtures.push_back({{"name", patched.fixture.name()},
                             {"gdtf", written->gdtf},
-                            {"mode", patched.fixture.mode().name},
-                            {"protocol", protocolName(patched.universe.transport)},
-                            {"universe", patched.universe.number},
-                            {"slots", describeSlots(patched.fixture)}});
+                            {"mode", patched.fixture.mode().name}});
+        if (const auto universe = firstUniverse(patched)) {
+            fixtures.back()["protocol"] = protocolName(universe->transport);
+            fixtures.back()["universe"] = universe->number;
+        }
+        if (patched.addresses.size() > 1) fixtures.back()["breaks"] = describeBreaks(patched);
+        fixtures.back()["slots"] = describeSlots(patched.fixture);
         ++written;
     }
     Json lights = Json::array();
@@ -182,10 +213,8 @@ std::string summarizeShow(const Show& show, const Patch& patch) {
     const auto out = std::back_inserter(text);
     for (const PatchedFixture& patched : patch.fixtures()) {
         const fixtures::Fixture& fixture = patched.fixture;
-        fmt::format_to(out, "  {:<20} {}, slots {} to {}: {}, mode '{}'\n", fixture.name(),
-                       describeUniverse(patched.universe), fixture.address(),
-                       fixture.address() + fixture.mode().footprint - 1, fixture.type().name,
-                       fixture.mode().name);
+        fmt::format_to(out, "  {:<20} {}: {}, mode '{}'\n", fixture.name(), summarizeAddresses(patched),
+                       fixture.type().name, fixture.mode().name);
     }
     for (const ShowLight& light : show.lights) {
         fmt::format_to(out, "  {:<20} {}\n", light.name, summarizeBeam(light));

@@ -16,10 +16,10 @@ namespace hazer::app {
 /// [names]}], "warnings": [sentences]}. Beams stand as in the fixture's own coordinates at rest.
 nlohmann::ordered_json describeFixtureType(const fixtures::FixtureType& type);
 
-/// {"fixtures": [{"name", "gdtf", "mode", "protocol", "universe", "slots": {attribute: [slots from 1, most
-/// significant first]}}], "lights": [{"name", "position_m", "direction", "candela" or "lumen",
-/// "half_angle_deg" or "web"}]}. Where several channels have one attribute, its key is "geometry.attribute"
-/// from the second on.
+/// {"fixtures": [{"name", "gdtf", "mode", "protocol", "universe", "breaks": of several, [{"break",
+/// "protocol", "universe", "slot"}], "slots": {attribute: [slots from 1, most significant first]}}],
+/// "lights": [{"name", "position_m", "direction", "candela" or "lumen", "half_angle_deg" or "web"}]}. Where
+/// several channels have one attribute, its key is "geometry.attribute" from the second on.
 nlohmann::ordered_json describeShow(const Show& show, const Patch& patch);
 
 /// The same for people: a title, then a line for each mode and wheel, or each fixture and bare light.

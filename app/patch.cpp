@@ -7,10 +7,12 @@
 #include <set>
 #include <utility>
 
+#include "app/aim.h"
 #include "app/fixture_library.h"
 #include "app/nearest_name.h"
 #include "fixtures/fixture_file.h"
 #include "fixtures/parse_error.h"
+#include "fixtures/text.h"
 
 namespace hazer::app {
 namespace {
@@ -38,15 +40,57 @@ void holdAsWritten(const Show& show, const ShowFixture& written, fixtures::Fixtu
     }
 }
 
-std::set<int> slotsOf(const fixtures::Fixture& fixture) {
+/// The slots that a break of a fixture hears.
+std::set<int> slotsOf(const fixtures::Fixture& fixture, int dmxBreak) {
     std::set<int> slots;
     for (const fixtures::ChannelPatch& channel : fixture.channels()) {
-        slots.insert(channel.slots.begin(), channel.slots.end());
+        if (channel.dmxBreak == dmxBreak) slots.insert(channel.slots.begin(), channel.slots.end());
     }
     return slots;
 }
 
+fixtures::BreakAddresses breakAddresses(const ShowFixture& written) {
+    fixtures::BreakAddresses slots;
+    for (const ShowAddress& address : written.addresses) {
+        slots.resize(static_cast<std::size_t>(address.dmxBreak));
+        slots.back() = address.slot;
+    }
+    return slots;
+}
+
+/// Of a rig, what does not fit is cut off: it has been told, and the rest of it works.
+fixtures::Fixture makeFixture(const Show& show, const ShowFixture& written, TypesByPath& loaded) {
+    const glm::dmat4 world =
+        written.rig ? written.rig->worldFromFixture : worldFromPlaced(written.positionM, written.rotationDeg);
+    const fixtures::FixtureTypePtr type = written.rig ? written.rig->type : loadType(show, written, loaded);
+    fixtures::Fixture fixture(written.name, type, written.mode, breakAddresses(written), world);
+    if (written.rig) return fixture;
+    for (const ShowAddress& address : written.addresses)
+        fixtures::requireRoom(fixture.mode(), address.dmxBreak, address.slot);
+    return fixture;
+}
+
+void setAsInRig(const RigFixture& rig, fixtures::Fixture& fixture) {
+    fixture.fit(rig.fittings);
+    if (rig.focusM) aim(fixture, *rig.focusM);
+    for (const auto& [attribute, value] : rig.presets) {
+        const bool isAimed = rig.focusM && (fixtures::equalsIgnoringCase(attribute, "Pan") ||
+                                            fixtures::equalsIgnoringCase(attribute, "Tilt"));
+        if (!isAimed) fixture.preset(attribute, value);
+    }
+}
+
+void keepHighest(const protocol::Slots& from, protocol::Slots& into) {
+    std::ranges::transform(from, into, into.begin(),
+                           [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+}
+
 }  // namespace
+
+std::optional<protocol::UniverseId> firstUniverse(const PatchedFixture& patched) {
+    if (patched.addresses.empty()) return std::nullopt;
+    return patched.addresses.front().universes.front();
+}
 
 std::vector<std::string> attributeNames(const fixtures::Fixture& fixture) {
     std::vector<std::string> names;
@@ -58,15 +102,22 @@ Patch::Patch(const Show& show) {
     TypesByPath loaded;
     for (const ShowFixture& written : show.fixtures) {
         try {
-            fixtures_.push_back(
-                {fixtures::Fixture(written.name, loadType(show, written, loaded), written.mode, written.slot,
-                                   worldFromPlaced(written.positionM, written.rotationDeg)),
-                 written.universe});
+            fixtures_.push_back({makeFixture(show, written, loaded), written.addresses});
         } catch (const std::runtime_error& error) {
             failFixture(show, written, error.what());
         }
         fixtures_.back().fixture.setInertia(show.hasInertia);
+        if (written.rig) setAsInRig(*written.rig, fixtures_.back().fixture);
         holdAsWritten(show, written, fixtures_.back().fixture);
+        addFeeds(fixtures_.size() - 1);
+    }
+}
+
+void Patch::addFeeds(std::size_t fixture) {
+    for (const ShowAddress& address : fixtures_[fixture].addresses) {
+        const auto [feed, isNew] = feedIndices_.try_emplace(address.universes, feeds_.size());
+        if (isNew) feeds_.push_back({address.universes, {}, nullptr});
+        uses_.push_back({fixture, address.dmxBreak, feed->second});
     }
 }
 
@@ -85,23 +136,24 @@ std::vector<std::string> Patch::fixtureNames() const {
 
 std::vector<protocol::UniverseId> Patch::universes() const {
     std::set<protocol::UniverseId> distinct;
-    for (const PatchedFixture& patched : fixtures_) distinct.insert(patched.universe);
+    for (const Feed& feed : feeds_) distinct.insert(feed.universes.begin(), feed.universes.end());
     return {distinct.begin(), distinct.end()};
 }
 
 std::vector<std::string> Patch::overlaps() const {
     // A whole rig left at address 1 is one mistake, not hundreds.
     constexpr std::size_t kMostSaid = 5;
-    std::map<std::pair<protocol::UniverseId, int>, const fixtures::Fixture*> owners;
+    std::map<std::pair<std::size_t, int>, const fixtures::Fixture*> owners;
     std::set<std::pair<const fixtures::Fixture*, const fixtures::Fixture*>> reported;
     std::vector<std::string> sentences;
-    for (const PatchedFixture& patched : fixtures_) {
-        for (const int slot : slotsOf(patched.fixture)) {
-            const auto [owner, isFirst] = owners.try_emplace({patched.universe, slot}, &patched.fixture);
-            if (isFirst || !reported.insert({owner->second, &patched.fixture}).second) continue;
+    for (const Use& use : uses_) {
+        const fixtures::Fixture& fixture = fixtures_[use.fixture].fixture;
+        for (const int slot : slotsOf(fixture, use.dmxBreak)) {
+            const auto [owner, isFirst] = owners.try_emplace({use.feed, slot}, &fixture);
+            if (isFirst || !reported.insert({owner->second, &fixture}).second) continue;
             sentences.push_back(fmt::format("'{}' and '{}' share slot {} of universe {}",
-                                            owner->second->name(), patched.fixture.name(), slot,
-                                            patched.universe.number));
+                                            owner->second->name(), fixture.name(), slot,
+                                            feeds_[use.feed].universes.front().number));
         }
     }
     if (sentences.size() > kMostSaid) {
@@ -131,9 +183,23 @@ std::vector<std::string> Patch::fileWarnings() const {
 }
 
 void Patch::decode(const protocol::UniverseSet& universes) {
-    for (PatchedFixture& patched : fixtures_) {
-        const auto found = universes.find(patched.universe);
-        if (found != universes.end()) patched.fixture.decode(found->second.slots);
+    for (Feed& feed : feeds_) {
+        feed.slots = nullptr;
+        for (const protocol::UniverseId& universe : feed.universes) {
+            const auto found = universes.find(universe);
+            if (found == universes.end()) continue;
+            if (feed.slots == nullptr) {
+                feed.slots = &found->second.slots;
+                continue;
+            }
+            if (feed.slots != &feed.merged) feed.merged = *feed.slots;
+            keepHighest(found->second.slots, feed.merged);
+            feed.slots = &feed.merged;
+        }
+    }
+    for (const Use& use : uses_) {
+        const protocol::Slots* const slots = feeds_[use.feed].slots;
+        if (slots != nullptr) fixtures_[use.fixture].fixture.decode(*slots, use.dmxBreak);
     }
 }
 

@@ -1,7 +1,9 @@
-// The patch: a show's fixtures with their GDTF read, each knowing which universe drives it.
+// The patch: a show's fixtures with their GDTF read, each knowing which universes drive it.
 #pragma once
 
 #include <deque>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,8 +16,11 @@ namespace hazer::app {
 
 struct PatchedFixture {
     fixtures::Fixture fixture;
-    protocol::UniverseId universe;
+    std::vector<ShowAddress> addresses;  ///< As in the show.
 };
+
+/// The universe that drives its first channels, for display; empty if it is not patched.
+std::optional<protocol::UniverseId> firstUniverse(const PatchedFixture& patched);
 
 /// Names of the attributes that a fixture's mode has, for messages.
 std::vector<std::string> attributeNames(const fixtures::Fixture& fixture);
@@ -44,7 +49,7 @@ class Patch {
     /// three sentences at most and one that says how many more there are.
     std::vector<std::string> fileWarnings() const;
 
-    /// Gives each fixture its universe; fixtures whose universe is not there keep what they have.
+    /// Gives each fixture its universes; fixtures whose universes are not there keep what they have.
     void decode(const protocol::UniverseSet& universes);
 
     /// Lets all mechanics move for `dtS` >= 0 seconds.
@@ -54,7 +59,24 @@ class Patch {
     void settle();
 
  private:
+    /// What drives a break of a fixture: one universe or, merged, several.
+    struct Feed {
+        std::vector<protocol::UniverseId> universes;
+        protocol::Slots merged{};
+        const protocol::Slots* slots = nullptr;  // What stands now; null: nothing was heard yet.
+    };
+    struct Use {
+        std::size_t fixture;
+        int dmxBreak;
+        std::size_t feed;
+    };
+
+    void addFeeds(std::size_t fixture);
+
     std::deque<PatchedFixture> fixtures_;
+    std::deque<Feed> feeds_;
+    std::vector<Use> uses_;
+    std::map<std::vector<protocol::UniverseId>, std::size_t> feedIndices_;
 };
 
 }  // namespace hazer::app

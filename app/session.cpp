@@ -37,6 +37,7 @@ Session::Session(Show show, const SessionOptions& options)
       camera_(show_.cameras.front().camera),
       settings_(settingsOf(show_)),
       inputs_(show_) {
+    warnAboutRig(show_, staging_);
     for (const std::string& warning : patch_.fileWarnings())
         spdlog::warn("{}: {}", show_.file.string(), warning);
     for (const std::string& overlap : patch_.overlaps()) spdlog::warn("{}: {}", show_.file.string(), overlap);

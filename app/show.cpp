@@ -13,6 +13,7 @@
 #include "app/nearest_name.h"
 #include "app/show_light.h"
 #include "app/show_limits.h"
+#include "app/show_rig.h"
 #include "app/toml_nesting.h"
 #include "app/toml_reader.h"
 
@@ -29,6 +30,9 @@ constexpr Limits kPerMetre{0.0, 10.0};
 const std::vector<std::string> kProtocols{"artnet", "sacn", "dmx", "any"};
 // The universes of each.
 constexpr Limits kUniverses[]{{0, 32767}, {1, 63999}, {1, 65535}, {1, 63999}};
+
+// In the order of RigProtocol.
+const std::vector<std::string> kRigProtocols{"both", "sacn", "artnet"};
 
 // In the order of ObjectShape.
 const std::vector<std::string> kShapes{"floor",  "wall",   "box",   "cylinder", "sphere",
@@ -147,6 +151,24 @@ ShowCamera readCamera(TomlReader& reader) {
     return named;
 }
 
+ShowAddress readAddress(TomlReader& reader, std::size_t protocol) {
+    const auto number = static_cast<std::uint16_t>(reader.requiredInteger("universe", kUniverses[protocol]));
+    return {
+        1, {{static_cast<protocol::Transport>(protocol), number}}, reader.requiredInteger("slot", {1, 512})};
+}
+
+/// A break after the first. Unless it says otherwise, its protocol is that of the fixture.
+void readBreak(TomlReader& reader, std::size_t protocol, std::vector<ShowAddress>& addresses) {
+    const int number = reader.requiredInteger("number", {2, fixtures::kMaxBreak});
+    const auto place = std::ranges::lower_bound(addresses, number, {}, &ShowAddress::dmxBreak);
+    if (place != addresses.end() && place->dmxBreak == number)
+        reader.fail(fmt::format("break {} is there twice; keep one of them", number));
+    ShowAddress address = readAddress(reader, reader.choice("protocol", kProtocols, protocol));
+    address.dmxBreak = number;
+    addresses.insert(place, std::move(address));
+    reader.refuseUnknownKeys();
+}
+
 ShowFixture readFixture(TomlReader& reader) {
     ShowFixture fixture;
     fixture.line = reader.line();
@@ -154,10 +176,8 @@ ShowFixture readFixture(TomlReader& reader) {
     fixture.gdtf = reader.requiredText("gdtf");
     fixture.mode = reader.requiredText("mode");
     const std::size_t protocol = reader.choice("protocol", kProtocols, 0);
-    fixture.universe.transport = static_cast<protocol::Transport>(protocol);
-    fixture.universe.number =
-        static_cast<std::uint16_t>(reader.requiredInteger("universe", kUniverses[protocol]));
-    fixture.slot = reader.requiredInteger("slot", {1, 512});
+    fixture.addresses.push_back(readAddress(reader, protocol));
+    for (TomlReader& further : reader.tables("break")) readBreak(further, protocol, fixture.addresses);
     fixture.positionM = reader.vector("position", glm::dvec3(0.0), kLength);
     fixture.rotationDeg = reader.vector("rotation", glm::dvec3(0.0), kAngle);
     fixture.held = reader.numbers("set");
@@ -199,6 +219,16 @@ ShowObject readObject(TomlReader& reader, const std::filesystem::path& folder) {
     object.isFurther = reader.flag("further", false);
     reader.refuseUnknownKeys();
     return object;
+}
+
+ShowRig readRig(TomlReader& reader, const std::filesystem::path& folder) {
+    ShowRig rig;
+    const std::string file = reader.text("rig", "");
+    if (!file.empty()) rig.file = folder / file;
+    if (file.empty() && reader.has("rig_protocol"))
+        reader.fail("'rig_protocol' does nothing without a 'rig'; name one or take it out");
+    rig.protocol = static_cast<RigProtocol>(reader.choice("rig_protocol", kRigProtocols, 0));
+    return rig;
 }
 
 void refuseRepeatedNames(const Show& show) {
@@ -258,6 +288,7 @@ Show readShow(TomlReader reader, const std::filesystem::path& file) {
     }
     if (const auto ambient = reader.table("ambient")) show.ambient = readAmbient(*ambient);
     readLists(reader, show);
+    show.rig = readRig(reader, file.parent_path());
     reader.refuseUnknownKeys();
     refuseRepeatedNames(show);
     return show;
@@ -310,7 +341,10 @@ Show parseShow(std::string_view text, const std::filesystem::path& file) {
 }
 
 Show loadShow(const std::filesystem::path& file) {
-    return parseShow(readText(file), file);
+    if (isRig(file)) return showOfRig(file);
+    Show show = parseShow(readText(file), file);
+    if (!show.rig.file.empty()) addRig(show);
+    return show;
 }
 
 glm::dmat4 worldFromPlaced(const glm::dvec3& positionM, const glm::dvec3& rotationDeg) {

@@ -9,10 +9,12 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/show_input.h"
 #include "app/show_recording.h"
+#include "fixtures/fixture.h"
 #include "protocol/dmx.h"
 #include "render/scene.h"
 
@@ -29,18 +31,35 @@ struct ShowCamera {
     render::Camera camera;
 };
 
-/// A fixture as it is patched, before its GDTF is read.
+/// Where a DMX break of a fixture starts.
+struct ShowAddress {
+    int dmxBreak = 1;  ///< 1..fixtures::kMaxBreak.
+    /// Never empty. Of several that are heard, the highest level of each slot counts.
+    std::vector<protocol::UniverseId> universes;
+    int slot = 1;  ///< 1..512: where the break's first channel is.
+};
+
+/// What only a rig knows of a fixture.
+struct RigFixture {
+    fixtures::FixtureTypePtr type;  ///< Never null; ShowFixture::gdtf is its name in the rig.
+    glm::dmat4 worldFromFixture{1.0};
+    fixtures::Fittings fittings;
+    std::vector<std::pair<std::string, double>> presets;  ///< Attributes until DMX arrives, as `held`.
+    std::optional<glm::dvec3> focusM;                     ///< Where it points until then.
+};
+
+/// A fixture as it is patched. Of one that no rig brings, the GDTF is not read yet.
 struct ShowFixture {
     std::string name;  ///< Unique in the show.
     std::string gdtf;  ///< Name of a fixture in hazer's library, or a path relative to the show.
     std::string mode;
-    protocol::UniverseId universe;
-    int slot = 1;  ///< 1..512: where its first channel is.
+    std::vector<ShowAddress> addresses;  ///< Each break once, ascending; none: not patched.
     glm::dvec3 positionM{0.0};
     glm::dvec3 rotationDeg{0.0};  ///< About world X, then Y, then Z.
     std::map<std::string, double>
         held;              ///< Attribute values that win over DMX, in the units of Fixture::hold.
     std::size_t line = 0;  ///< In the show file, for messages about what the GDTF turns out to hold.
+    std::optional<RigFixture> rig;
 };
 
 /// A gobo is a flat picture before the lamp: at 90 degrees its edge would be infinitely far away. Half angle.
@@ -87,6 +106,31 @@ struct ShowObject {
     std::size_t line = 0;    ///< In the show file.
 };
 
+/// Which networks the universes of a rig, which are numbers from 1, are heard on.
+enum class RigProtocol : std::uint8_t {
+    kBoth,   ///< Both of the next.
+    kSacn,   ///< sACN universes of the same number.
+    kArtNet  ///< Art-Net Port-Addresses of a number that is one lower.
+};
+
+/// The MVR of a show as the show names it.
+struct ShowRig {
+    std::filesystem::path file;  ///< As ShowObject::modelFile; empty: none.
+    RigProtocol protocol = RigProtocol::kBoth;
+    std::size_t line = 0;
+};
+
+/// The scene objects of a rig: meshes that are read from the archive when they are drawn.
+struct ShowScenery {
+    struct Use {
+        std::size_t file = 0;  ///< Into files.
+        glm::dmat4 worldFromMesh{1.0};
+    };
+    std::filesystem::path archive;
+    std::vector<std::string> files;  ///< As the scene names them.
+    std::vector<Use> uses;
+};
+
 /// A whole show. Colours are linear Rec. 709 in the file and Rec. 2020 here, as the renderer has them.
 struct Show {
     std::filesystem::path file;
@@ -102,6 +146,9 @@ struct Show {
     std::vector<ShowFixture> fixtures;
     std::vector<ShowLight> lights;
     std::vector<ShowObject> objects;
+    ShowRig rig;
+    ShowScenery scenery;                ///< Of the rig.
+    std::vector<std::string> warnings;  ///< About the rig: what was read over, and what stands in for what.
 
     /// The camera of that name. Throws ShowError, which lists the names there are.
     const ShowCamera& camera(std::string_view name) const;
@@ -110,11 +157,11 @@ struct Show {
 /// Whether a recording of the show follows the time code of Art-Net.
 bool followsTimeCode(const Show& show);
 
-/// Parses the text of a show. `file` is used in messages and to resolve relative paths; nothing is opened.
-/// Throws ShowError.
+/// Parses the text of a show. `file` is used in messages and to resolve relative paths; nothing is opened,
+/// and of a rig only the name is known. Throws ShowError.
 Show parseShow(std::string_view text, const std::filesystem::path& file);
 
-/// Reads a show of at most 16 MiB. Throws ShowError.
+/// Reads a show of at most 16 MiB with its rig, or an MVR as a show of its own. Throws ShowError.
 Show loadShow(const std::filesystem::path& file);
 
 /// The pose of something that stands at `positionM`, turned by `rotationDeg` about world X, then Y, then Z.

@@ -17,7 +17,10 @@ bool hasNumber(protocol::Transport transport, std::uint16_t number) {
 
 std::vector<protocol::UniverseId> universesOf(const Show& show) {
     std::set<protocol::UniverseId> distinct;
-    for (const ShowFixture& fixture : show.fixtures) distinct.insert(fixture.universe);
+    for (const ShowFixture& fixture : show.fixtures) {
+        for (const ShowAddress& address : fixture.addresses)
+            distinct.insert(address.universes.begin(), address.universes.end());
+    }
     return {distinct.begin(), distinct.end()};
 }
 

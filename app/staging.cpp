@@ -1,6 +1,11 @@
 #include "app/staging.h"
 
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
 #include "app/bare_light.h"
+#include "app/scenery.h"
 
 namespace hazer::app {
 
@@ -13,7 +18,9 @@ SceneControls controlsOf(const Show& show) {
 }
 
 Staging::Staging(const Show& show, render::AssetSink& assets)
-    : rig_(assets), dressing_(dressSet(show, assets)), lights_(lightBeams(show, assets)) {}
+    : rig_(assets), dressing_(dressSet(show, assets)), lights_(lightBeams(show, assets)) {
+    warnings_ = appendScenery(show.scenery, assets, dressing_);
+}
 
 render::Scene Staging::scene(const Patch& patch, const SceneControls& controls, double timeS) {
     render::Scene scene;
@@ -33,6 +40,18 @@ render::Scene Staging::scene(const Patch& patch, const SceneControls& controls, 
         rig_.append(state_, scene);
     }
     return scene;
+}
+
+void warnAboutRig(const Show& show, const Staging& staging) {
+    constexpr std::size_t kMostSaid = 10;
+    std::vector<std::string> warnings = show.warnings;
+    warnings.insert(warnings.end(), staging.warnings().begin(), staging.warnings().end());
+    for (std::size_t i = 0; i < std::min(kMostSaid, warnings.size()); ++i)
+        spdlog::warn("{}: {}", show.rig.file.string(), warnings[i]);
+    if (warnings.size() > kMostSaid) {
+        spdlog::warn("{}: {} more; 'hazer inspect' of it lists them", show.rig.file.string(),
+                     warnings.size() - kMostSaid);
+    }
 }
 
 }  // namespace hazer::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/patch.h"
@@ -32,6 +33,9 @@ class Staging {
     /// fixtures follow as they are used. Throws ShowError if a file cannot be read.
     Staging(const Show& show, render::AssetSink& assets);
 
+    /// About scene objects of the show's rig that are left out.
+    const std::vector<std::string>& warnings() const { return warnings_; }
+
     /// The show at `timeS` with its fixtures as they stand: bare lights first, then the beams of the
     /// fixtures in the order of the patch, dark ones left out.
     render::Scene scene(const Patch& patch, const SceneControls& controls, double timeS);
@@ -39,8 +43,13 @@ class Staging {
  private:
     Rig rig_;
     SetDressing dressing_;
+    std::vector<std::string> warnings_;
     std::vector<render::Beam> lights_;  ///< Those that no fixture carries.
     fixtures::FixtureState state_;  ///< Of one fixture after the other; kept so that frames allocate less.
 };
+
+/// Logs what was read over in the show's rig: ten sentences at most, and one that says how many more there
+/// are.
+void warnAboutRig(const Show& show, const Staging& staging);
 
 }  // namespace hazer::app

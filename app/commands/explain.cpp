@@ -47,7 +47,7 @@ void addExplainCommand(CLI::App& program, Command& chosen) {
                   "  hazer explain myshow.toml                            as the show stands without a desk\n"
                   "  hazer explain myshow.toml --set spot1.Dimmer=1       with a lamp lit by hand\n"
                   "  hazer explain myshow.toml --size 3840x2160 --json    for machines\n");
-    command->add_option("SHOW", options->show, "The show file (.toml)")->required();
+    command->add_option("SHOW", options->show, "The show file (.toml) or rig (.mvr)")->required();
     command
         ->add_option(
             "--set", options->request.assignments,

@@ -10,7 +10,10 @@
 #include "app/fixture_library.h"
 #include "app/inspection.h"
 #include "app/recording_summary.h"
+#include "app/rig_inspection.h"
+#include "app/show_rig.h"
 #include "fixtures/fixture_file.h"
+#include "fixtures/mvr.h"
 #include "protocol/recording/recording_player.h"
 
 namespace hazer::app {
@@ -35,6 +38,13 @@ std::string inspectShow(const InspectOptions& options) {
         fmt::print(stderr, "hazer: warning: {}: {}\n", options.file, overlap);
     }
     return options.isJson ? printable(describeShow(show, patch)) : summarizeShow(show, patch);
+}
+
+std::string inspectRig(const InspectOptions& options) {
+    const std::vector<std::string> warnings = loadShow(options.file).warnings;
+    const fixtures::MvrArchive archive = fixtures::openMvr(options.file);
+    return options.isJson ? printable(describeRig(archive.scene(), warnings))
+                          : summarizeRig(archive.scene(), warnings);
 }
 
 std::string inspectFixtureType(const InspectOptions& options) {
@@ -67,6 +77,7 @@ std::string inspectRecording(const InspectOptions& options) {
 
 std::string inspectFile(const InspectOptions& options) {
     if (std::filesystem::path(options.file).extension() == ".toml") return inspectShow(options);
+    if (isRig(options.file)) return inspectRig(options);
     if (protocol::isRecording(options.file)) return inspectRecording(options);
     return inspectFixtureType(options);
 }
@@ -80,19 +91,20 @@ int runInspect(const InspectOptions& options) {
 
 void addInspectCommand(CLI::App& program, Command& chosen) {
     auto options = std::make_shared<InspectOptions>();
-    CLI::App* command = program.add_subcommand(
-        "inspect",
-        "Say what is in a fixture file (GDTF, QLC+, Open Fixture Library), a show or a recording.");
+    CLI::App* command = program.add_subcommand("inspect",
+                                               "Say what is in a fixture file (GDTF, QLC+, Open Fixture "
+                                               "Library), a rig (MVR), a show or a recording.");
     beginHelpWith(*command,
                   "  hazer inspect myshow.toml            which fixture listens to which slots\n"
+                  "  hazer inspect rig.mvr                fixtures, addresses and places\n"
                   "  hazer inspect fixture.gdtf           modes, channels and wheels\n"
                   "  hazer inspect moving-spot --json     a fixture that comes with hazer, for machines\n"
                   "  hazer inspect night.pcap --at 1:20   what stood on the network at that moment\n");
     command
-        ->add_option(
-            "FILE", options->file,
-            "A show (.toml), a .gdtf file or its unpacked folder, a .qxf or Open Fixture Library .json "
-            "file, a fixture of hazer's library, or a recording (pcap, pcapng, OLA show file, FSEQ)")
+        ->add_option("FILE", options->file,
+                     "A show (.toml), a rig (.mvr), a .gdtf file or its unpacked folder, a .qxf or Open "
+                     "Fixture Library .json "
+                     "file, a fixture of hazer's library, or a recording (pcap, pcapng, OLA show file, FSEQ)")
         ->required();
     command->add_flag("--json", options->isJson, "Print JSON");
     addMomentOption(*command, "--at", options->moment, "The moment of a recording; its end unless given");

@@ -37,8 +37,10 @@ void addLiveCommand(CLI::App& program, Command& chosen) {
     beginHelpWith(*command,
                   "  hazer live                       one moving spot, on Port-Address 0 from slot 1\n"
                   "  hazer live myshow.toml           your own rig\n"
+                  "  hazer live rig.mvr               a rig from a drawing program, on Art-Net and sACN\n"
                   "  hazer live myshow.toml --port 6455\n");
-    command->add_option("SHOW", options->show, "The show file (.toml); a single moving spot unless given");
+    command->add_option("SHOW", options->show,
+                        "The show file (.toml) or rig (.mvr); a single moving spot unless given");
     addPortOptions(*command, options->ports);
     addMaxErrorOption(*command, options->maxError);
     command->add_option("--frames", options->frames, "Close after this many pictures, for tests")

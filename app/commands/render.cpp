@@ -248,11 +248,12 @@ void addRenderCommand(CLI::App& program, Command& chosen) {
         *command,
         "  hazer render myshow.toml                                        writes hazer.png\n"
         "  hazer render myshow.toml --set spot1.Dimmer=1 --set spot1.Tilt=30 --out look.exr\n"
+        "  hazer render rig.mvr --set '*.Dimmer=1' --out rig.png           a rig with every lamp lit\n"
         "  hazer render myshow.toml --listen 2 --out now.png               what the desk sends now\n"
         "  hazer render myshow.toml --seconds 4 --out haze.mp4             a film\n"
         "  hazer render myshow.toml --replay night.pcap --from 1:20        what stood then\n"
         "  hazer render myshow.toml --seconds 4 --out frames/haze_%04d.png numbered frames\n");
-    command->add_option("SHOW", options->show, "The show file (.toml)")->required();
+    command->add_option("SHOW", options->show, "The show file (.toml) or rig (.mvr)")->required();
     addPictureOptions(*command, *options);
     addInputOptions(*command, *options);
     addTimeOptions(*command, *options);

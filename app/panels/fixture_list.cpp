@@ -24,7 +24,8 @@ void drawFixture(const PatchedFixture& patched, std::size_t index, WindowState& 
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", fixture.type().name.c_str());
     ImGui::TableNextColumn();
-    ImGui::TextDisabled("%d.%d", static_cast<int>(patched.universe.number), fixture.address());
+    const auto universe = firstUniverse(patched);
+    if (universe) ImGui::TextDisabled("%d.%d", static_cast<int>(universe->number), fixture.address());
 }
 
 void drawReleaseAll(Patch& patch, WindowState& state) {

@@ -153,6 +153,29 @@ TEST(Assign, holdsAValueByHand) {
     EXPECT_EQ(patch.find("spot.1")->fixture.value("Tilt"), 30.0);
 }
 
+TEST(Assign, reachesEveryFixtureThatHasTheAttribute) {
+    Patch patch = patchOf(fixtureText("a", "moving-spot", 1) + fixtureText("b", "fresnel", 100));
+    assign("*.Dimmer=0.5", patch);
+    assign("*.Tilt=30", patch);
+    EXPECT_EQ(patch.find("a")->fixture.value("Dimmer"), 0.5);
+    EXPECT_EQ(patch.find("b")->fixture.value("Dimmer"), 0.5);
+    EXPECT_EQ(patch.find("a")->fixture.value("Tilt"), 30.0);
+    EXPECT_THROW(assign("*.Dimer=1", patch), std::runtime_error);
+}
+
+TEST(Patch, eachBreakHasItsOwnUniverse) {
+    const std::string fixture = fixtureText("a", "fresnel", 1);
+    EXPECT_EQ(parseShow(fixture + "[[fixture.break]]\nnumber=3\nuniverse=7\nslot=9", "a.toml")
+                  .fixtures.at(0)
+                  .addresses.at(1)
+                  .universes.at(0)
+                  .number,
+              7);
+    const std::string twice = "[[fixture.break]]\nnumber=2\nuniverse=1\nslot=1\n";
+    EXPECT_THAT(errorOf(fixture + twice + twice), HasSubstr("break 2 is there twice"));
+    EXPECT_THROW(patchOf(fixture + "[[fixture.break]]\nnumber=1\nuniverse=1\nslot=1"), ShowError);
+}
+
 TEST(Assign, saysWhatThereIs) {
     Patch patch = patchOf(fixtureText("spot1", "moving-spot", 1));
     const auto errorOfAssign = [&](const std::string& text) -> std::string {

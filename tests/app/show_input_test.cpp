@@ -112,7 +112,7 @@ TEST(ShowFixtureUniverse, HasTheRangeOfItsProtocol) {
         return "[[fixture]]\nname='a'\ngdtf='par-rgbw'\nmode='Standard'\nslot=1\n" + universe;
     };
     const auto universeOf = [&](const std::string& universe) {
-        return parseShow(fixture(universe), "a.toml").fixtures.at(0).universe;
+        return parseShow(fixture(universe), "a.toml").fixtures.at(0).addresses.at(0).universes.at(0);
     };
     using protocol::Transport;
     EXPECT_EQ(universeOf("universe=0"), (protocol::UniverseId{Transport::kArtNet, 0}));

@@ -119,7 +119,7 @@ TEST(Show, readsEverything) {
     EXPECT_EQ(show.inputs[1].port, 5569);
     EXPECT_NEAR(show.camera("front").camera.verticalFovRad, glm::radians(40.0), 1e-12);
     ASSERT_EQ(show.fixtures.size(), 1u);
-    EXPECT_EQ(show.fixtures[0].universe.number, 3);
+    EXPECT_EQ(show.fixtures[0].addresses.at(0).universes.at(0).number, 3);
     EXPECT_EQ(show.fixtures[0].held.at("Tilt"), -30.0);
     ASSERT_EQ(show.objects.size(), 2u);
     EXPECT_FALSE(show.objects[0].castsShadow) << "a floor casts no shadow unless asked to";
@@ -303,10 +303,11 @@ ShowFixture fixtureAt(const std::string& where) {
 }
 
 TEST(Show, patchesFixturesToArtNetSacnAndAny) {
-    EXPECT_EQ(fixtureAt("universe=0").universe, (protocol::UniverseId{protocol::Transport::kArtNet, 0}));
-    EXPECT_EQ(fixtureAt("protocol='sacn'\nuniverse=63999").universe,
+    EXPECT_EQ(fixtureAt("universe=0").addresses.at(0).universes.at(0),
+              (protocol::UniverseId{protocol::Transport::kArtNet, 0}));
+    EXPECT_EQ(fixtureAt("protocol='sacn'\nuniverse=63999").addresses.at(0).universes.at(0),
               (protocol::UniverseId{protocol::Transport::kSacn, 63999}));
-    EXPECT_EQ(fixtureAt("protocol='any'\nuniverse=7").universe,
+    EXPECT_EQ(fixtureAt("protocol='any'\nuniverse=7").addresses.at(0).universes.at(0),
               (protocol::UniverseId{protocol::Transport::kAny, 7}));
     EXPECT_THROW(fixtureAt("protocol='sacn'\nuniverse=0"), ShowError);
     EXPECT_THROW(fixtureAt("protocol='sacn'\nuniverse=64000"), ShowError);

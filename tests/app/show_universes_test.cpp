@@ -14,7 +14,7 @@ TEST(ShowUniverses, AreEachNamedOnce) {
     Show show;
     for (const UniverseId universe : {UniverseId{Transport::kSacn, 3}, UniverseId{Transport::kArtNet, 7},
                                       UniverseId{Transport::kSacn, 3}}) {
-        show.fixtures.emplace_back().universe = universe;
+        show.fixtures.emplace_back().addresses = {ShowAddress{1, {universe}, 1}};
     }
     EXPECT_THAT(universesOf(show),
                 ElementsAre(UniverseId{Transport::kArtNet, 7}, UniverseId{Transport::kSacn, 3}));

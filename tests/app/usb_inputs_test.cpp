@@ -78,9 +78,10 @@ TEST(UsbInputs, HaveNoKeysOfTheNetwork) {
 
 TEST(UsbInputs, FixturesArePatchedToDmxLinesFrom1) {
     const Show show = parse(std::string(kLamp) + "protocol='dmx'\nuniverse=2");
-    EXPECT_EQ(show.fixtures[0].universe, (protocol::UniverseId{Transport::kDmx, 2}));
+    EXPECT_EQ(show.fixtures[0].addresses.at(0).universes.at(0), (protocol::UniverseId{Transport::kDmx, 2}));
     EXPECT_THAT(messageOf(std::string(kLamp) + "protocol='dmx'\nuniverse=0"), testing::HasSubstr("universe"));
-    EXPECT_EQ(parse(std::string(kLamp) + "universe=0").fixtures[0].universe.transport, Transport::kArtNet);
+    EXPECT_EQ(parse(std::string(kLamp) + "universe=0").fixtures[0].addresses.at(0).universes.at(0).transport,
+              Transport::kArtNet);
 }
 
 TEST(UsbInputs, WithoutUsbAreRefusedInOneSentence) {

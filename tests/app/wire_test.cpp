@@ -64,7 +64,7 @@ class Wire {
         for (const auto& [attribute, value] : levels) {
             EXPECT_TRUE(lamp.fixture.encode(attribute, value, slots)) << attribute;
         }
-        desk_.send(lamp.universe.number, slots);
+        desk_.send(firstUniverse(lamp)->number, slots);
         await(++sent_);
         session_.advance(0.0);
         session_.settle();

@@ -74,6 +74,27 @@ std::string levelTriangle3ds() {
     return chunk(0x4D4D, chunk(0x3D3D, object));
 }
 
+/// A binary glTF of the same triangle.
+std::string glb(const std::string& uri = "") {
+    std::string json = gltf(uri, "");
+    if (uri.empty()) json.replace(json.find(R"("uri":"",)"), 9, "");
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    std::string buffer = triangleBuffer();
+    buffer.resize((buffer.size() + 3) / 4 * 4, '\0');
+    const auto part = [](const char* type, const std::string& content) {
+        return bytesOf<std::uint32_t>({static_cast<std::uint32_t>(content.size())}) + std::string(type, 4) +
+               content;
+    };
+    const std::string parts = part("JSON", json) + part("BIN\0", buffer);
+    return "glTF" + bytesOf<std::uint32_t>({2, static_cast<std::uint32_t>(parts.size()) + 12}) + parts;
+}
+
+Mesh parse(const std::string& bytes, const std::string& name) {
+    // A block of its exact size, so that a sanitizer sees a byte read too far.
+    const std::vector<std::uint8_t> block(bytes.begin(), bytes.end());
+    return parseMesh(block, name);
+}
+
 bool hasVertex(const Mesh& mesh, glm::vec3 positionM) {
     for (const Vertex& vertex : mesh.vertices) {
         if (glm::distance(vertex.positionM, positionM) < 1e-5f) return true;
@@ -144,6 +165,40 @@ TEST_F(MeshFile, EveryTruncatedPrefixIsRefusedOrReadWithoutHarm) {
     const std::string text = gltf("triangle.bin", "");
     for (std::size_t size = 0; size < text.size(); size += 7) {
         ASSERT_NE(messageOf(write("a.gltf", std::string_view(text).substr(0, size))), "no error") << size;
+    }
+}
+
+TEST(ParseMesh, readsWhatRigsHoldInMetresAndWithZUp) {
+    const Mesh level = parse(levelTriangle3ds(), "bar.3ds");
+    EXPECT_TRUE(hasVertex(level, {1.0f, 0.0f, 0.5f}));
+    EXPECT_TRUE(hasVertex(level, {0.0f, 2.0f, 0.5f}));
+    EXPECT_TRUE(hasVertex(parse(levelTriangle3ds(), ".3DS"), {1.0f, 0.0f, 0.5f}))
+        << "a name that is only its end";
+    const Mesh upright = parse(glb(), "wall.glb");
+    EXPECT_TRUE(hasVertex(upright, {1.0f, 0.0f, 0.0f}));
+    EXPECT_TRUE(hasVertex(upright, {0.0f, 0.0f, 2.0f}));
+}
+
+TEST(ParseMesh, readsNoOtherFormatAndNoOtherFile) {
+    const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    EXPECT_THROW(parse(obj, "a.obj"), RenderError);
+    EXPECT_THROW(parse(obj, "a.3ds"), RenderError);
+    EXPECT_THROW(parse(obj, "a"), RenderError);
+    EXPECT_THROW(parse("", "a.glb"), RenderError);
+    const test::TemporaryFolder folder;
+    const fs::path secret = folder.write("secret.bin", triangleBuffer());
+    EXPECT_THROW(parse(glb(secret.string()), "a.glb"), RenderError);
+}
+
+TEST(ParseMesh, everyPrefixIsReadOrRefused) {
+    for (const auto& [bytes, name] : {std::pair(levelTriangle3ds(), "a.3ds"), std::pair(glb(), "a.glb")}) {
+        for (std::size_t size = 0; size < bytes.size(); size += 7) {
+            try {
+                parse(bytes.substr(0, size), name);
+            } catch (const RenderError&) {
+                // The answer to a broken file.
+            }
+        }
     }
 }
 

@@ -1,0 +1,107 @@
+#include "app/scenery.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "fixtures/mvr.h"
+#include "fixtures/parse_error.h"
+#include "fixtures/text.h"
+#include "render/error.h"
+#include "render/mesh.h"
+
+namespace hazer::app {
+namespace {
+
+constexpr std::size_t kMaxMeshBytes = std::size_t{64} << 20;
+constexpr std::size_t kMaxVertices = 8'000'000;  // Of all files together: about 200 MB.
+constexpr std::size_t kMostWarnings = 20;
+/// Less than this is flat, and has no shape that light could fall on.
+constexpr double kSmallestVolume = 1e-18;
+
+/// Paint that neither shines nor hides what hangs in front.
+render::Material sceneryMaterial() {
+    render::Material material;
+    material.albedo = render::Color(0.3f);
+    return material;
+}
+
+class SceneryReader {
+ public:
+    SceneryReader(const ShowScenery& scenery, render::AssetSink& assets)
+        : scenery_(scenery),
+          archive_(fixtures::openMvr(scenery.archive)),
+          assets_(assets),
+          meshes_(scenery.files.size()) {}
+
+    void appendTo(SetDressing& dressing) {
+        for (const ShowScenery::Use& use : scenery_.uses) {
+            if (std::abs(glm::determinant(glm::dmat3(use.worldFromMesh))) < kSmallestVolume) continue;
+            const render::MeshId mesh = meshOf(use.file);
+            if (mesh >= 0) dressing.push_back({{mesh, use.worldFromMesh, sceneryMaterial(), true}, false});
+        }
+    }
+
+    std::vector<std::string> warnings() const {
+        std::vector<std::string> sentences = warnings_;
+        if (sentences.size() > kMostWarnings) {
+            const std::size_t more = sentences.size() - kMostWarnings;
+            sentences.resize(kMostWarnings);
+            sentences.push_back(fmt::format("{} more meshes are left out.", more));
+        }
+        return sentences;
+    }
+
+ private:
+    // -1 where there is nothing to draw.
+    render::MeshId meshOf(std::size_t file) {
+        std::optional<render::MeshId>& mesh = meshes_[file];
+        if (!mesh) mesh = read(scenery_.files[file]);
+        return *mesh;
+    }
+
+    render::MeshId read(const std::string& name) {
+        const auto entry = archive_.find(name, {".3ds", ".glb"});
+        if (!entry) return leaveOut(name, "it is not in the rig");
+        try {
+            const render::Mesh mesh =
+                render::parseMesh(archive_.read(*entry, kMaxMeshBytes), archive_.nameOf(*entry));
+            vertices_ += mesh.vertices.size();
+            if (vertices_ > kMaxVertices) return leaveOut(name, "all meshes together have too many vertices");
+            return assets_.addMesh(mesh);
+        } catch (const render::RenderError& error) {
+            return leaveOut(name, error.what());
+        } catch (const fixtures::ParseError& error) {
+            return leaveOut(name, error.what());
+        }
+    }
+
+    render::MeshId leaveOut(const std::string& name, const std::string& reason) {
+        warnings_.push_back(fmt::format("the mesh {} is left out: {}.", fixtures::inQuotes(name), reason));
+        return -1;
+    }
+
+    const ShowScenery& scenery_;
+    fixtures::MvrArchive archive_;
+    render::AssetSink& assets_;
+    std::vector<std::optional<render::MeshId>> meshes_;  // By file.
+    std::vector<std::string> warnings_;
+    std::size_t vertices_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::string> appendScenery(const ShowScenery& scenery, render::AssetSink& assets,
+                                       SetDressing& dressing) {
+    if (scenery.uses.empty()) return {};
+    try {
+        SceneryReader reader(scenery, assets);
+        reader.appendTo(dressing);
+        return reader.warnings();
+    } catch (const fixtures::ParseError& error) {
+        throw ShowError(error.what());
+    }
+}
+
+}  // namespace hazer::app
