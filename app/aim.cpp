@@ -32,14 +32,14 @@ bool canTurn(const Fixture& fixture, const char* attribute) {
     return false;
 }
 
-void turnTo(double panDeg, double tiltDeg, Fixture& fixture) {
+void panAndTiltTo(double panDeg, double tiltDeg, Fixture& fixture) {
     fixture.preset("Pan", panDeg);
     fixture.preset("Tilt", tiltDeg);
     fixture.settle();
 }
 
 glm::dvec3 directionAt(double panDeg, double tiltDeg, Fixture& fixture) {
-    turnTo(panDeg, tiltDeg, fixture);
+    panAndTiltTo(panDeg, tiltDeg, fixture);
     return firstBeam(fixture)->direction;
 }
 
@@ -71,12 +71,12 @@ struct Swing {
 void aimHead(Fixture& fixture, const glm::dvec3& targetM) {
     constexpr int kRounds = 4;
     const Swing swing(fixture);
-    turnTo(0.0, 0.0, fixture);
+    panAndTiltTo(0.0, 0.0, fixture);
     for (int round = 0; round < kRounds; ++round) {
         const glm::dvec3 way = targetM - firstBeam(fixture)->originM;
         if (glm::length(way) < 1e-6) return;
         const glm::dvec3 wanted = glm::normalize(way);
-        turnTo(swing.panDeg(wanted), swing.tiltDeg(wanted), fixture);
+        panAndTiltTo(swing.panDeg(wanted), swing.tiltDeg(wanted), fixture);
     }
 }
 

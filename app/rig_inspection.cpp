@@ -16,7 +16,7 @@ using fixtures::MvrKind;
 using fixtures::MvrObject;
 using fixtures::MvrScene;
 
-Json jsonOf(const glm::dvec3& vector) {
+Json jsonOfPoint(const glm::dvec3& vector) {
     return {vector.x, vector.y, vector.z};
 }
 
@@ -36,8 +36,8 @@ Json describeFixture(const MvrObject& object) {
             {"gdtf", object.device->gdtfSpec},
             {"mode", object.device->gdtfMode},
             {"addresses", std::move(addresses)},
-            {"position_m", jsonOf(glm::dvec3(object.worldFromObject[3]))},
-            {"direction", jsonOf(directionOf(object.worldFromObject))}};
+            {"position_m", jsonOfPoint(glm::dvec3(object.worldFromObject[3]))},
+            {"direction", jsonOfPoint(directionOf(object.worldFromObject))}};
 }
 
 bool isFixture(const MvrObject& object) {

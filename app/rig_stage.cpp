@@ -18,7 +18,7 @@ constexpr double kAspect = 16.0 / 9.0;
 /// Far from everything else is where programs leave what is not placed.
 constexpr double kMostOutlying = 0.01;
 
-struct Box {
+struct StageBox {
     glm::dvec3 lowM{-5.0, -5.0, 0.0};
     glm::dvec3 highM{5.0, 5.0, 5.0};
 
@@ -27,8 +27,8 @@ struct Box {
 };
 
 /// Around all points, but for a hundredth at either end of each axis.
-Box boxAround(const std::vector<glm::dvec3>& pointsM) {
-    Box box;
+StageBox boxAround(const std::vector<glm::dvec3>& pointsM) {
+    StageBox box;
     if (pointsM.empty()) return box;
     const auto outlying = static_cast<std::ptrdiff_t>(kMostOutlying * static_cast<double>(pointsM.size()));
     for (int axis = 0; axis < 3; ++axis) {
@@ -67,7 +67,7 @@ ShowCamera cameraAt(const char* name, const glm::dvec3& positionM, const glm::dv
     return camera;
 }
 
-void addCameras(const Box& box, Show& show) {
+void addStageCameras(const StageBox& box, Show& show) {
     constexpr double kMargin = 1.25;
     const glm::dvec3 size = glm::max(box.sizeM(), glm::dvec3(4.0));
     const glm::dvec3 centre = box.centreM();
@@ -87,7 +87,7 @@ void addCameras(const Box& box, Show& show) {
 }
 
 /// Just below the ground, where the rig may have a floor of its own.
-void addFloor(const Box& box, Show& show) {
+void addFloor(const StageBox& box, Show& show) {
     constexpr double kGapM = 0.02;
     constexpr double kAroundM = 15.0;
     ShowObject& floor = show.objects.emplace_back();
@@ -102,13 +102,13 @@ void addFloor(const Box& box, Show& show) {
 }  // namespace
 
 void setStage(Show& show) {
-    Box box = boxAround(pointsOfInterest(show));
+    StageBox box = boxAround(pointsOfInterest(show));
     // Rigs hang above a stage, and a beam ends on the floor.
     box.lowM.z = std::min(box.lowM.z, 0.0);
     show.ambient.illuminanceLx = kWorkLightLx;
     show.exposureEv100 = kEv100;
     addFloor(box, show);
-    addCameras(box, show);
+    addStageCameras(box, show);
 }
 
 }  // namespace hazer::app
