@@ -7,7 +7,11 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
+#include <vector>
 
+#include "app/nearest_name.h"
 #include "app/universe_name.h"
 
 namespace hazer::app {
@@ -57,31 +61,74 @@ Json describeChannel(const fixtures::DmxChannel& channel) {
             {"functions", std::move(functions)}};
 }
 
-void describeBeams(const fixtures::Geometry& geometry, const glm::dmat4& fixtureFromParent,
-                   const std::string& parentPath, Json& beams) {
-    const glm::dmat4 fixtureFromGeometry = fixtureFromParent * geometry.parentFromGeometry;
+/// Poses of all geometries in the fixture, depth first, before anything moves them.
+void appendRestPoses(const fixtures::Geometry& geometry, const glm::dmat4& fixtureFromParent,
+                     std::vector<glm::dmat4>& poses) {
+    poses.push_back(fixtureFromParent * geometry.parentFromGeometry);
+    const glm::dmat4 fixtureFromGeometry = poses.back();
+    for (const fixtures::Geometry& child : geometry.children)
+        appendRestPoses(child, fixtureFromGeometry, poses);
+}
+
+/// The same with attributes at values.
+std::vector<glm::dmat4> posesAt(const fixtures::FixtureTypePtr& type, const fixtures::DmxMode& mode,
+                                const AttributeValues& values) {
+    fixtures::Fixture fixture("inspected", type, mode.name, fixtures::BreakAddresses(), glm::dmat4(1.0));
+    for (const auto& [attribute, value] : values) fixture.hold(attribute, value);
+    fixture.settle();
+    return fixture.state().worldFromNode;
+}
+
+/// Where each pose has been taken from the front of `poses`.
+void describeBeams(const fixtures::Geometry& geometry, const std::string& parentPath,
+                   std::span<const glm::dmat4>& poses, Json& beams) {
+    const glm::dmat4& pose = poses.front();
+    poses = poses.subspan(1);
     const std::string path = parentPath.empty() ? geometry.name : parentPath + "/" + geometry.name;
     if (geometry.kind == fixtures::GeometryKind::kBeam) {
         beams.push_back({{"path", path},
-                         {"position_m", jsonOf(glm::dvec3(fixtureFromGeometry[3]))},
-                         {"direction", jsonOf(-glm::normalize(glm::dvec3(fixtureFromGeometry[2])))}});
+                         {"position_m", jsonOf(glm::dvec3(pose[3]))},
+                         {"direction", jsonOf(-glm::normalize(glm::dvec3(pose[2])))}});
     }
-    for (const fixtures::Geometry& child : geometry.children) {
-        describeBeams(child, fixtureFromGeometry, path, beams);
-    }
+    for (const fixtures::Geometry& child : geometry.children) describeBeams(child, path, poses, beams);
 }
 
-Json describeMode(const fixtures::DmxMode& mode) {
+Json describeMode(const fixtures::FixtureTypePtr& type, const fixtures::DmxMode& mode,
+                  const AttributeValues& values) {
     Json footprint = Json::object();
     for (const auto& [dmxBreak, slots] : footprints(mode)) footprint[std::to_string(dmxBreak)] = slots;
     Json channels = Json::array();
     for (const fixtures::DmxChannel& channel : mode.channels) channels.push_back(describeChannel(channel));
+    std::vector<glm::dmat4> poses;
+    if (values.empty()) {
+        appendRestPoses(mode.geometry, glm::dmat4(1.0), poses);
+    } else {
+        poses = posesAt(type, mode, values);
+    }
     Json beams = Json::array();
-    describeBeams(mode.geometry, glm::dmat4(1.0), "", beams);
+    std::span<const glm::dmat4> left(poses);
+    describeBeams(mode.geometry, "", left, beams);
     return {{"name", mode.name},
             {"footprint", std::move(footprint)},
             {"channels", std::move(channels)},
             {"beams", std::move(beams)}};
+}
+
+/// Throws std::runtime_error, which lists what there is, if no mode has one of the attributes.
+void requireAttributes(const fixtures::FixtureTypePtr& type, const AttributeValues& values) {
+    std::vector<std::string> known;
+    for (const fixtures::DmxMode& mode : type->modes) {
+        const fixtures::Fixture fixture("inspected", type, mode.name, fixtures::BreakAddresses(),
+                                        glm::dmat4(1.0));
+        for (const fixtures::AttributeRange& range : fixture.attributes()) known.push_back(range.attribute);
+    }
+    std::ranges::sort(known);
+    known.erase(std::ranges::unique(known).begin(), known.end());
+    for (const auto& [attribute, value] : values) {
+        if (std::ranges::find(known, attribute) != known.end()) continue;
+        throw std::runtime_error(fmt::format("no mode of '{}' has the attribute '{}'.{}", type->name,
+                                             attribute, suggestName(attribute, known)));
+    }
 }
 
 Json describeWheel(const fixtures::Wheel& wheel) {
@@ -157,16 +204,17 @@ Json describeLight(const ShowLight& light) {
 
 }  // namespace
 
-Json describeFixtureType(const fixtures::FixtureType& type) {
+Json describeFixtureType(const fixtures::FixtureTypePtr& type, const AttributeValues& values) {
+    if (!values.empty()) requireAttributes(type, values);
     Json modes = Json::array();
-    for (const fixtures::DmxMode& mode : type.modes) modes.push_back(describeMode(mode));
+    for (const fixtures::DmxMode& mode : type->modes) modes.push_back(describeMode(type, mode, values));
     Json wheels = Json::array();
-    for (const fixtures::Wheel& wheel : type.wheels) wheels.push_back(describeWheel(wheel));
-    return {{"name", type.name},
-            {"manufacturer", type.manufacturer},
+    for (const fixtures::Wheel& wheel : type->wheels) wheels.push_back(describeWheel(wheel));
+    return {{"name", type->name},
+            {"manufacturer", type->manufacturer},
             {"modes", std::move(modes)},
             {"wheels", std::move(wheels)},
-            {"warnings", type.warnings}};
+            {"warnings", type->warnings}};
 }
 
 Json describeShow(const Show& show, const Patch& patch) {

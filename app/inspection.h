@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "app/attribute_values.h"
 #include "app/patch.h"
 #include "fixtures/fixture_type.h"
 
@@ -13,8 +14,11 @@ namespace hazer::app {
 /// {"name", "manufacturer", "modes": [{"name", "footprint": {break: slots}, "channels": [{"geometry",
 /// "attribute", "break", "offsets", "functions": [{"name", "attribute", "from", "to", "physical_from",
 /// "physical_to"}]}], "beams": [{"path", "position_m", "direction"}]}], "wheels": [{"name", "slots":
-/// [names]}], "warnings": [sentences]}. Beams stand as in the fixture's own coordinates at rest.
-nlohmann::ordered_json describeFixtureType(const fixtures::FixtureType& type);
+/// [names]}], "warnings": [sentences]}. Beams stand as in the fixture's own coordinates, at rest or where
+/// `values` bring them; a mode leaves out what it has no attribute for. Throws std::runtime_error if no mode
+/// has one.
+nlohmann::ordered_json describeFixtureType(const fixtures::FixtureTypePtr& type,
+                                           const AttributeValues& values = {});
 
 /// {"fixtures": [{"name", "gdtf", "mode", "protocol", "universe", "breaks": of several, [{"break",
 /// "protocol", "universe", "slot"}], "slots": {attribute: [slots from 1, most significant first]}}],

@@ -4,11 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
+#include "app/attribute_values.h"
 #include "app/commands/command.h"
 #include "app/commands/recording_options.h"
 #include "app/fixture_library.h"
 #include "app/inspection.h"
+#include "app/moment.h"
 #include "app/recording_summary.h"
 #include "app/rig_inspection.h"
 #include "app/show_rig.h"
@@ -22,7 +25,8 @@ namespace {
 struct InspectOptions {
     std::string file;
     bool isJson = false;
-    std::optional<std::chrono::nanoseconds> moment;  ///< Of a recording; its end unless given.
+    std::string
+        at;  ///< A moment of a recording, or values of a fixture's attributes; empty: its end, or at rest.
     protocol::FrameMap map;
 };
 
@@ -48,8 +52,9 @@ std::string inspectRig(const InspectOptions& options) {
 }
 
 std::string inspectFixtureType(const InspectOptions& options) {
+    const AttributeValues values = options.at.empty() ? AttributeValues() : parseAttributeValues(options.at);
     const fixtures::FixtureTypePtr type = fixtures::loadFixtureType(resolveGdtf(options.file, {}));
-    return options.isJson ? printable(describeFixtureType(*type)) : summarizeFixtureType(*type);
+    return options.isJson ? printable(describeFixtureType(type, values)) : summarizeFixtureType(*type);
 }
 
 double secondsOf(std::chrono::nanoseconds time) {
@@ -66,11 +71,18 @@ double goTo(const std::optional<std::chrono::nanoseconds>& moment, protocol::Rec
     return durationS;
 }
 
+std::optional<std::chrono::nanoseconds> momentOf(const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    const auto moment = parseMoment(text);
+    if (!moment) throw std::runtime_error(fmt::format("'{}' is no time; write 80, 1:20 or 1:02:03.5", text));
+    return moment;
+}
+
 std::string inspectRecording(const InspectOptions& options) {
     const protocol::ReplayRules rules{.fileName = std::filesystem::path(options.file).filename().string()};
     protocol::RecordingPlayer player(options.file, options.map, rules,
                                      protocol::RecordingPlayer::Indexing::kNone);
-    const double durationS = goTo(options.moment, player);
+    const double durationS = goTo(momentOf(options.at), player);
     return options.isJson ? printable(describeRecording(player, durationS))
                           : summarizeRecording(player, durationS);
 }
@@ -89,6 +101,17 @@ int runInspect(const InspectOptions& options) {
 
 }  // namespace
 
+/// Empty if the text is a moment or values of attributes, else what is wrong with it.
+std::string checkAt(const std::string& text) {
+    if (parseMoment(text)) return {};
+    try {
+        parseAttributeValues(text);
+        return {};
+    } catch (const std::runtime_error&) {
+        return fmt::format("'{}' is neither a time such as 1:20 nor values such as Pan=90,Tilt=45", text);
+    }
+}
+
 void addInspectCommand(CLI::App& program, Command& chosen) {
     auto options = std::make_shared<InspectOptions>();
     CLI::App* command = program.add_subcommand("inspect",
@@ -99,6 +122,7 @@ void addInspectCommand(CLI::App& program, Command& chosen) {
                   "  hazer inspect rig.mvr                fixtures, addresses and places\n"
                   "  hazer inspect fixture.gdtf           modes, channels and wheels\n"
                   "  hazer inspect moving-spot --json     a fixture that comes with hazer, for machines\n"
+                  "  hazer inspect moving-spot --json --at Pan=90,Tilt=45   where its beams are then\n"
                   "  hazer inspect night.pcap --at 1:20   what stood on the network at that moment\n");
     command
         ->add_option("FILE", options->file,
@@ -107,7 +131,12 @@ void addInspectCommand(CLI::App& program, Command& chosen) {
                      "file, a fixture of hazer's library, or a recording (pcap, pcapng, OLA show file, FSEQ)")
         ->required();
     command->add_flag("--json", options->isJson, "Print JSON");
-    addMomentOption(*command, "--at", options->moment, "The moment of a recording; its end unless given");
+    command
+        ->add_option(
+            "--at", options->at,
+            "The moment of a recording; its end unless given. Of a fixture, where it stands: Pan=90,Tilt=45")
+        ->type_name("TIME|VALUES")
+        ->check(checkAt);
     addFrameMapOptions(*command, options->map, protocol::Transport::kDmx, true);
     command->callback([options, &chosen] { chosen = [options] { return runInspect(*options); }; });
 }

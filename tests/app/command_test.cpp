@@ -141,6 +141,19 @@ TEST(Program, aWindowNeedsADisplay) {
     EXPECT_THAT(result.errors, AllOf(StartsWith("hazer: "), HasSubstr("hazer render")));
 }
 
+// The same head as everywhere: pan 90, tilt 45 points at -X and down.
+TEST(Program, inspectPutsAFixtureWhereItIsAskedTo) {
+    const test::ProcessResult result = hazer({"inspect", "moving-spot", "--json", "--at", "Pan=90,Tilt=45"});
+    EXPECT_EQ(result.exitCode, 0);
+    const auto direction = nlohmann::json::parse(result.output)["modes"][0]["beams"][0]["direction"];
+    EXPECT_NEAR(direction[0].get<double>(), -0.7071, 1e-3);
+    EXPECT_NEAR(direction[1].get<double>(), 0.0, 1e-3);
+    EXPECT_NEAR(direction[2].get<double>(), -0.7071, 1e-3);
+    expectBadInput(hazer({"inspect", "moving-spot", "--json", "--at", "Pann=90"}), "Did you mean 'Pan'?");
+    expectBadInput(hazer({"inspect", "moving-spot", "--json", "--at", "1:20"}), "1:20");
+    EXPECT_EQ(hazer({"inspect", "moving-spot", "--at", "later"}).exitCode, 1);
+}
+
 TEST(Inspect, showAsJson) {
     const test::ProcessResult result =
         hazer({"inspect", (showFolder() / "one-spot.toml").string(), "--json"});
