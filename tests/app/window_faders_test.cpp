@@ -100,7 +100,7 @@ class HeldFadersTest : public ::testing::Test {
 
     void sendDimmer(double level) {
         protocol::UniverseSet universes;
-        fixture().encode("Dimmer", level, universes[patch_.fixtures().front().universe].slots);
+        fixture().encode("Dimmer", level, universes[*firstUniverse(patch_.fixtures().front())].slots);
         patch_.decode(universes);
     }
 
