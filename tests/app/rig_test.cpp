@@ -145,7 +145,7 @@ std::vector<std::uint8_t> tetrahedronGlb() {
 }
 
 // Whatever units a model has, its bounds are as long, wide and high as the fixture says.
-TEST(Rig, ModelsHaveTheSizeThatTheFixtureSays) {
+TEST(RigBodies, ModelsHaveTheSizeThatTheFixtureSays) {
     fixtures::Model model;
     model.sizeM = {0.3, 0.2, 0.1};
     model.file = std::make_shared<const fixtures::ModelFile>(fixtures::ModelFile{"a.glb", tetrahedronGlb()});
@@ -168,7 +168,7 @@ TEST(Rig, ModelsHaveTheSizeThatTheFixtureSays) {
     EXPECT_NEAR(glm::distance(high, glm::dvec3(5.3, 0.2, 0.1)), 0.0, 1e-6);
 }
 
-TEST(Rig, ABrokenModelIsAPlainShape) {
+TEST(RigBodies, ABrokenModelIsAPlainShape) {
     fixtures::Model model;
     std::vector<std::uint8_t> bytes = tetrahedronGlb();
     bytes.resize(bytes.size() / 2);

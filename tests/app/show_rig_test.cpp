@@ -66,7 +66,7 @@ std::string matrixXml(double x, double y, double z) {
     return fmt::format("<Matrix>{{1,0,0}}{{0,1,0}}{{0,0,1}}{{{},{},{}}}</Matrix>", x, y, z);
 }
 
-class Rig : public ::testing::Test {
+class RigShow : public ::testing::Test {
  protected:
     std::filesystem::path write(const std::string& objects, Files files) const {
         files.insert(
@@ -95,7 +95,7 @@ glm::dvec3 directionOf(Patch& patch, std::size_t fixture = 0) {
     return -glm::dvec3(patch.fixtures().at(fixture).fixture.state().beams.at(0).worldFromBeam[2]);
 }
 
-TEST_F(Rig, IsAShowOfItsOwn) {
+TEST_F(RigShow, IsAShowOfItsOwn) {
     const Show show = showOf(fixtureXml("a", "spot", matrixXml(1000, 2000, 6000) + addressXml("1.17")) +
                                  fixtureXml("b", "SPOT.gdtf", addressXml("513")),
                              kSpot);
@@ -111,7 +111,7 @@ TEST_F(Rig, IsAShowOfItsOwn) {
     EXPECT_THAT(show.objects, SizeIs(1)) << "a floor";
 }
 
-TEST_F(Rig, UniverseOneIsSacnOneAndPortAddressZero) {
+TEST_F(RigShow, UniverseOneIsSacnOneAndPortAddressZero) {
     const Show show =
         showOf(fixtureXml("a", "spot", addressXml("1")) + fixtureXml("b", "spot", addressXml("513")), kSpot);
     EXPECT_THAT(universesOf(show),
@@ -134,7 +134,7 @@ TEST_F(Rig, UniverseOneIsSacnOneAndPortAddressZero) {
     EXPECT_NEAR(patch.fixtures()[1].fixture.value("Dimmer").value(), 0.0, 1e-6) << "another universe";
 }
 
-TEST_F(Rig, BelongsToAShow) {
+TEST_F(RigShow, BelongsToAShow) {
     write(fixtureXml("a", "spot", addressXml("1")), kSpot);
     const auto load = [&](const std::string& text) { return loadShow(folder_.write("s.toml", text)); };
     const Show both =
@@ -150,7 +150,7 @@ TEST_F(Rig, BelongsToAShow) {
     EXPECT_THROW(load("rig='gone.mvr'"), ShowError);
 }
 
-TEST_F(Rig, NamesAreUnique) {
+TEST_F(RigShow, NamesAreUnique) {
     const Show show =
         showOf(fixtureXml("a", "spot") + fixtureXml("a", "spot", "<FixtureID>12</FixtureID>") +
                    fixtureXml("a", "spot", "<FixtureID>12</FixtureID>") + fixtureXml("", "spot"),
@@ -160,7 +160,7 @@ TEST_F(Rig, NamesAreUnique) {
     EXPECT_THAT(names, ElementsAre("a", "a #12", "a (2)", show.fixtures[0].rig->type->name));
 }
 
-TEST_F(Rig, WhatHasNoFileIsReplacedByOneOfItsKind) {
+TEST_F(RigShow, WhatHasNoFileIsReplacedByOneOfItsKind) {
     const Show show = showOf(fixtureXml("Robe LEDWash 600", "gone.gdtf", addressXml("1")) +
                                  fixtureXml("Strobe", "", "") + fixtureXml("broken one", "broken.gdtf"),
                              {{"broken.gdtf", "no zip"}});
@@ -181,12 +181,12 @@ TEST_F(Rig, WhatHasNoFileIsReplacedByOneOfItsKind) {
     EXPECT_NO_THROW(Patch{show});
 }
 
-TEST_F(Rig, AFileBesideTheRigIsTaken) {
+TEST_F(RigShow, AFileBesideTheRigIsTaken) {
     folder_.write("mine.gdtf", libraryGdtf("moving-spot"));
     EXPECT_THAT(showOf(fixtureXml("a", "../../elsewhere/mine")).warnings, IsEmpty());
 }
 
-TEST_F(Rig, DummiesAreReplaced) {
+TEST_F(RigShow, DummiesAreReplaced) {
     Description dummy;
     dummy.geometries = R"(<Geometry Name="Base"/>)";
     for (int i = 1; i <= 14; ++i) {
@@ -202,7 +202,7 @@ TEST_F(Rig, DummiesAreReplaced) {
     EXPECT_THAT(patch.fixtures()[0].fixture.state().beams, SizeIs(1));
 }
 
-TEST_F(Rig, WhatHasNoLightAndNeedsNoneIsKept) {
+TEST_F(RigShow, WhatHasNoLightAndNeedsNoneIsKept) {
     Description hazerOrFan;
     hazerOrFan.geometries = R"(<Geometry Name="Base"/>)";
     hazerOrFan.channels = fixtures::testing::simpleChannelXml("Base", "1", "Fog1", 0, 1);
@@ -212,14 +212,14 @@ TEST_F(Rig, WhatHasNoLightAndNeedsNoneIsKept) {
     EXPECT_THAT(show.fixtures, SizeIs(1));
 }
 
-TEST_F(Rig, AnUnknownModeIsTheFirst) {
+TEST_F(RigShow, AnUnknownModeIsTheFirst) {
     const Show show =
         showOf(fixtureXml("a", "spot", "", "Extended") + fixtureXml("b", "spot", "", "standard"), kSpot);
     EXPECT_EQ(show.fixtures[0].mode, "Standard");
     EXPECT_THAT(show.warnings, ElementsAre(HasSubstr("no mode \"Extended\"")));
 }
 
-TEST_F(Rig, EveryBreakIsPatched) {
+TEST_F(RigShow, EveryBreakIsPatched) {
     Description lamp;
     lamp.channels =
         fixtures::testing::simpleChannelXml("Beam", "1", "Dimmer", 0, 1) +
@@ -239,7 +239,7 @@ TEST_F(Rig, EveryBreakIsPatched) {
     EXPECT_EQ(patch.fixtures()[0].fixture.value("ColorAdd_R"), 1.0);
 }
 
-TEST_F(Rig, WhatRunsPastTheUniverseIsCutAndTold) {
+TEST_F(RigShow, WhatRunsPastTheUniverseIsCutAndTold) {
     const Show show = showOf(fixtureXml("a", "spot", addressXml("510")), kSpot);
     EXPECT_THAT(show.warnings, ElementsAre(HasSubstr("slot 512")));
     EXPECT_NO_THROW(Patch{show});
@@ -253,7 +253,7 @@ void expectAimed(Patch& patch) {
     EXPECT_LT(glm::degrees(std::acos(glm::dot(directionOf(patch), glm::normalize(way)))), 0.1);
 }
 
-TEST_F(Rig, HeadsAimAtTheirFocusUntilDmxArrives) {
+TEST_F(RigShow, HeadsAimAtTheirFocusUntilDmxArrives) {
     for (const char* pose : {"{1,0,0}{0,1,0}{0,0,1}{0,0,6000}", "{1,0,0}{0,-1,0}{0,0,-1}{-4000,0,0}",
                              "{0,1,0}{0,0,1}{1,0,0}{0,500,3000}"}) {
         const Show show = showOf(
@@ -269,7 +269,7 @@ TEST_F(Rig, HeadsAimAtTheirFocusUntilDmxArrives) {
     EXPECT_LT(glm::distance(directionOf(patch), glm::dvec3(0.0, 0.0, -1.0)), 0.02);
 }
 
-TEST_F(Rig, LampsWithoutMotorsAreHungTowardsTheirFocus) {
+TEST_F(RigShow, LampsWithoutMotorsAreHungTowardsTheirFocus) {
     Patch patch(showOf(fixtureXml("a", "lamp", matrixXml(0, 0, 5000) + "<Focus>f</Focus>") + kFocusPoint,
                        {{"lamp.gdtf", libraryGdtf("fresnel")}}));
     EXPECT_LT(
@@ -277,7 +277,7 @@ TEST_F(Rig, LampsWithoutMotorsAreHungTowardsTheirFocus) {
         2.0);
 }
 
-TEST_F(Rig, CommandsHoldWhatDmxDoesNotReach) {
+TEST_F(RigShow, CommandsHoldWhatDmxDoesNotReach) {
     const auto commanded = [](const char* command) {
         return fmt::format("<CustomCommands><CustomCommand>{}</CustomCommand></CustomCommands>", command);
     };
@@ -294,7 +294,7 @@ TEST_F(Rig, CommandsHoldWhatDmxDoesNotReach) {
     EXPECT_NEAR(patch.fixtures().at(2).fixture.value("Dimmer").value(), 0.5, 0.001);
 }
 
-TEST_F(Rig, GelsColourTheBeam) {
+TEST_F(RigShow, GelsColourTheBeam) {
     Patch patch(
         showOf(fixtureXml("a", "spot") + fixtureXml("b", "spot", "<Color>0.6,0.376,30</Color>"), kSpot));
     const auto colorOf = [&](std::size_t i) {
@@ -304,7 +304,7 @@ TEST_F(Rig, GelsColourTheBeam) {
     EXPECT_LT(colorOf(1).z, 0.5 * colorOf(0).z);
 }
 
-TEST_F(Rig, MeshesAreGivenOnceAndBrokenOnesAreLeftOut) {
+TEST_F(RigShow, MeshesAreGivenOnceAndBrokenOnesAreLeftOut) {
     const auto chunk = [](int id, const std::string& content) {
         const auto size = static_cast<std::uint32_t>(content.size() + 6);
         std::string head{static_cast<char>(id & 255), static_cast<char>(id >> 8)};
@@ -339,7 +339,7 @@ TEST_F(Rig, MeshesAreGivenOnceAndBrokenOnesAreLeftOut) {
                 ElementsAre(HasSubstr("\"gone\""), HasSubstr("\"bad.glb\""), HasSubstr("passwd")));
 }
 
-TEST_F(Rig, WhatIsNoRigIsOneSentence) {
+TEST_F(RigShow, WhatIsNoRigIsOneSentence) {
     folder_.write("bad.mvr", "<html>");
     try {
         loadShow(folder_.path() / "bad.mvr");
