@@ -9,6 +9,7 @@
 #include "app/commands/port_options.h"
 #include "app/display.h"
 #include "app/paths.h"
+#include "render/air_quality.h"
 
 namespace hazer::app {
 namespace {
@@ -17,7 +18,7 @@ struct LiveOptions {
     std::string show;
     InputPorts ports;
     std::optional<int> frames;
-    double maxError = 0.01;
+    double maxError = render::kDefaultMaxError;
 };
 
 int runLive(const LiveOptions& options) {
