@@ -45,7 +45,7 @@ AirQuality airQualityFor(double maxError) {
     quality.goboTolerance = 1.6 * maxError;
     quality.goboLevelsApart = maxError >= kLeastTableError ? 1.0 : 0.0;
     // Even looks at uneven haze, each the mean around it.
-    quality.noiseNodes = count(std::sqrt(1.0 / each), 4, 64);
+    quality.noiseNodes = count(std::sqrt(1.9 / each), 4, 64);
     quality.profilePairs = maxError >= 0.02 ? 3 : 4;
     return quality;
 }

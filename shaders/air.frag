@@ -143,15 +143,6 @@ vec3 lineLight(BeamOptics optics, HazeMedium haze, float endM) {
 // and from within a beam its gobo and its shadows are seen along their edges.
 float obstacleShare(LitPart lit) { return lit.fromEye ? 5.0 : lit.whole ? 1.0 : 1.2; }
 
-#if defined(NOISE) && !defined(GOBO) && !defined(SAMPLED)
-// Looks at uneven haze along an arc: more where it holds more than a few swirls.
-int densityLooks(LampRay ray, Arc arc) {
-    const float SWIRLS = 4.0;
-    float lengthM = arcPlace(ray, arc, 1.0) - arcPlace(ray, arc, 0.0);
-    return int(float(noiseNodes) * clamp(lengthM * swirlsPerM() / SWIRLS, 1.0, 4.0));
-}
-#endif
-
 // What the lit part of the ray sends to the eye, for integrals see beam_integral.glsl.
 vec3 litLight(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) {
     Arc arc = makeArc(lit.singular, lit.from, lit.to);
@@ -198,10 +189,10 @@ vec3 litLight(LampRay ray, BeamOptics optics, HazeMedium haze, LitPart lit) {
     float smoothSum = integrateSoft(ray, optics, haze, lit, arc, profilePairs);
 #endif
 #ifdef NOISE
-    int looks = densityLooks(ray, arc);
+    float looks = float(noiseNodes);
     smoothSum *= densityOf(ray, optics, haze, arc, 0.0, 1.0, looks);
 #else
-    int looks = 0;
+    float looks = 0.0;
 #endif
 #ifdef SHADOW
     smoothSum = max(smoothSum - integrateDark(ray, optics, haze, arc, shadeFrom, shadeTo, intervals, shadowBisections, looks), 0.0);

@@ -5,22 +5,24 @@
 // Needs beam_integral.glsl.
 
 // Mean density along a part of an arc (shares of it, 0..1), weighted by the light that comes from there: what even haze gives is multiplied by it
-// (ratio estimator). Exact for even haze, and an error only in proportion to how uneven it is.
-Real densityOf(LampRay ray, BeamOptics optics, HazeMedium haze, Arc arc, Real from, Real to, int nodes) {
-    Real apart = (to - from) / Real(nodes);
+// (ratio estimator). Exact for even haze, and an error only in proportion to how uneven it is. `nodes` >= 1 is how many intervals there are; the
+// last one is cut short where that is no whole number, so that the mean follows it without steps.
+Real densityOf(LampRay ray, BeamOptics optics, HazeMedium haze, Arc arc, Real from, Real to, Real nodes) {
+    Real apart = (to - from) / nodes;
     Real apartPerH = apart / ray.h;
     Real sum = Real(0.0);
     Real weights = Real(0.0);
-    int node = 0;
+    Real node = Real(0.0);
     do {
+        Real width = min(nodes - node, Real(1.0));
         Real jacobian;
-        LampSample here = arcSample(ray, arc, from + (Real(node) + Real(0.5)) * apart, optics.apexToLensM, jacobian);
-        Real weight = beamKernel(here, optics, haze) * jacobian;
+        LampSample here = arcSample(ray, arc, from + (node + Real(0.5) * width) * apart, optics.apexToLensM, jacobian);
+        Real weight = beamKernel(here, optics, haze) * jacobian * width;
         // ds = r^2 / h du, s = r sin u
         Real apartM = here.distanceM * here.distanceM * jacobian * apartPerH;
         sum += weight * densityAround(ray.tClosest - here.distanceM * here.cosScatter, apartM);
         weights += weight;
-        ++node;
+        node += Real(1.0);
     } while (node < nodes);
     return weights > Real(0.0) ? sum / weights : Real(1.0);
 }

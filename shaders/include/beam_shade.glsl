@@ -98,7 +98,7 @@ bool nextDarkRun(ShadeLine line, int intervals, INOUT(int) dark, OUT(Real) from,
 // The integral over what is lit but for the bodies in the way, within sFrom..sTo [m]. With NOISE, uneven haze is looked at in `looks` places of the
 // whole arc, three at least in each dark run: so that runs end where shadows do, not at the nearest look.
 Real integrateDark(LampRay ray, BeamOptics optics, HazeMedium haze, Arc arc, Real sFrom, Real sTo, int intervals,
-                   int bisections, int looks) {
+                   int bisections, Real looks) {
     ShadeLine line = makeShadeLine(ray, sFrom, sTo, bisections);
     int pieces = shadePieces(intervals);
     int each = (intervals + pieces - 1) / pieces;
@@ -120,7 +120,7 @@ Real integrateDark(LampRay ray, BeamOptics optics, HazeMedium haze, Arc arc, Rea
                 run += gaussWeight4(i) * jacobian * beamKernel(here, optics, haze);
             }
 #ifdef NOISE
-            run *= densityOf(ray, optics, haze, arc, shareFrom, shareTo, some ? max(int(ceil(Real(looks) * (shareTo - shareFrom))), 3) : 1);
+            run *= densityOf(ray, optics, haze, arc, shareFrom, shareTo, some ? max(looks * (shareTo - shareFrom), Real(3.0)) : Real(1.0));
 #endif
             sum += some ? run * (shareTo - shareFrom) : Real(0.0);
         } while (dark != 0);

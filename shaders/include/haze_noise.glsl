@@ -22,6 +22,3 @@ float densityAround(float t, float apartM) {
 
 // Density at a place.
 float densityAt(float t) { return densityAround(t, 0.0); }
-
-// Swirls of noise_scale along a metre: three to a period.
-float swirlsPerM() { return 3.0 * noisePerM; }
