@@ -106,10 +106,14 @@ TEST(MonitorCommand, WithoutAShowHearsWhateverThereIs) {
     const std::string script =
         "ip link set lo up && ip link add viz0 type veth peer name viz1 && ip addr add 10.77.0.1/24 dev viz0 "
         "&& ip link set viz0 up && ip link set viz1 up || exit 77\n"
-        "\"$0\" send --protocol sacn --universe 7 --slot 1=9 --interface viz0 --seconds 4 >&2 &\n"
-        "\"$0\" send --universe 5 --to 127.0.0.1 --seconds 4 >&2 &\n"
-        "\"$0\" monitor --json --for 3 --slots 7\n"
-        "code=$?; wait; exit $code";
+        "log=$(mktemp)\n"
+        "\"$0\" monitor --json --for 3 --slots 7 2>\"$log\" & monitor=$!\n"
+        // A source announces itself as it starts, and then again after ten seconds: it has to be heard.
+        "looks=0; until grep -q listening \"$log\" || [ $looks -ge 100 ]; do sleep 0.1; looks=$((looks + "
+        "1)); done\n"
+        "\"$0\" send --protocol sacn --universe 7 --slot 1=9 --interface viz0 --seconds 3 >&2 &\n"
+        "\"$0\" send --universe 5 --to 127.0.0.1 --seconds 3 >&2 &\n"
+        "wait $monitor; code=$?; wait; cat \"$log\" >&2; rm \"$log\"; exit $code";
     const test::ProcessResult result =
         test::runProcess("/usr/bin/unshare", {"-rn", "sh", "-c", script, HAZER_PROGRAM});
     constexpr int kNoNetwork = 77;
