@@ -11,8 +11,10 @@
 
 #include "app/beam_optics.h"
 #include "app/light_color.h"
+#include "app/paint.h"
 #include "render/error.h"
 #include "render/mesh.h"
+#include "render/rig_mesh.h"
 
 namespace hazer::app {
 namespace {
@@ -23,11 +25,10 @@ constexpr double kFarthestFocusM = 1000.0;
 constexpr double kWidestFieldRad = 3.1;
 constexpr double kNarrowestFieldRad = 1e-4;
 
-/// Black paint. Bodies cast no shadow: each sits behind its own lens, and hundreds of small casters would
-/// cost more than they show.
-render::Material bodyMaterial() {
-    render::Material material;
-    material.albedo = render::Color(0.03f);
+/// Black, where a file has no paint. Bodies cast no shadow: each sits behind its own lens, and hundreds of
+/// small casters would cost more than they show.
+render::Material bodyMaterial(const std::optional<glm::vec3>& paint) {
+    render::Material material = materialOf(paint, render::Color(0.03f));
     material.shininess = 20.0f;
     return material;
 }
@@ -93,24 +94,34 @@ std::span<const UnitBox> boxesOf(fixtures::PrimitiveType primitive) {
 
 /// Hundreds of fixtures have the same body.
 constexpr std::size_t kMostBodyVertices = 100'000;
+constexpr std::size_t kMostVerticesOfBodies = 2'000'000;
 
 /// Scales each axis about the origin so that the bounds have edges of 1: a GDTF model's own units mean
 /// nothing (DIN SPEC 15800, Models).
-void fitToUnit(render::Mesh& mesh) {
-    glm::vec3 low(mesh.vertices.front().positionM);
+void fitToUnit(std::vector<render::PaintedMesh>& meshes) {
+    glm::vec3 low(meshes.front().mesh.vertices.front().positionM);
     glm::vec3 high = low;
-    for (const render::Vertex& vertex : mesh.vertices) {
-        low = glm::min(low, vertex.positionM);
-        high = glm::max(high, vertex.positionM);
+    for (const render::PaintedMesh& painted : meshes) {
+        const render::BoundingBox box = render::boundingBox(painted.mesh);
+        low = glm::min(low, box.lowM);
+        high = glm::max(high, box.highM);
     }
     const glm::vec3 size = high - low;
     // What is flat has no size to go by; its own thickness is none.
     const float largest = std::max({size.x, size.y, size.z, 1e-6f});
     const glm::vec3 perSize = 1.0f / glm::max(size, 1e-6f * largest);
-    for (render::Vertex& vertex : mesh.vertices) {
-        vertex.positionM *= perSize;
-        vertex.normal = glm::normalize(vertex.normal / perSize);
+    for (render::PaintedMesh& painted : meshes) {
+        for (render::Vertex& vertex : painted.mesh.vertices) {
+            vertex.positionM *= perSize;
+            vertex.normal = glm::normalize(vertex.normal / perSize);
+        }
     }
+}
+
+std::size_t vertexCount(const std::vector<render::PaintedMesh>& meshes) {
+    std::size_t count = 0;
+    for (const render::PaintedMesh& painted : meshes) count += painted.mesh.vertices.size();
+    return count;
 }
 
 }  // namespace
@@ -156,14 +167,16 @@ void Rig::append(const fixtures::FixtureState& state, render::Scene& scene) {
 void Rig::appendPart(const fixtures::PartState& part, render::Scene& scene) {
     const glm::dmat4 worldFromUnit = glm::scale(part.worldFromPart, part.model->sizeM);
     render::MeshInstance instance;
-    instance.material = bodyMaterial();
     instance.castsShadow = false;
-    if (const std::optional<render::MeshId> mesh = meshOf(part.model->file)) {
-        instance.mesh = *mesh;
-        instance.worldFromMesh = worldFromUnit;
+    instance.worldFromMesh = worldFromUnit;
+    const std::vector<BodyPart>& body = partsOf(part.model->file);
+    for (const BodyPart& painted : body) {
+        instance.mesh = painted.mesh;
+        instance.material = painted.material;
         scene.instances.push_back(instance);
-        return;
     }
+    if (!body.empty()) return;
+    instance.material = bodyMaterial({});
     instance.mesh = meshFor(part.model->primitive);
     for (const UnitBox& box : boxesOf(part.model->primitive)) {
         instance.worldFromMesh = glm::scale(glm::translate(worldFromUnit, box.center), box.size);
@@ -179,22 +192,30 @@ render::GoboId Rig::goboFor(const std::shared_ptr<const fixtures::WheelImage>& i
     return id;
 }
 
-std::optional<render::MeshId> Rig::meshOf(const std::shared_ptr<const fixtures::ModelFile>& file) {
-    if (file == nullptr) return std::nullopt;
-    const auto [entry, isNew] = fileMeshes_.try_emplace(file);
-    if (!isNew) return entry->second;
+const std::vector<Rig::BodyPart>& Rig::partsOf(const std::shared_ptr<const fixtures::ModelFile>& file) {
+    const auto [entry, isNew] = bodies_.try_emplace(file);
+    if (!isNew || file == nullptr) return entry->second;
     try {
-        render::Mesh mesh = render::parseMesh(file->bytes, file->name);
-        if (mesh.vertices.size() > kMostBodyVertices) {
-            throw render::RenderError(
-                fmt::format("{} has more than {} vertices", file->name, kMostBodyVertices));
-        }
-        fitToUnit(mesh);
-        entry->second = assets_.addMesh(mesh);
+        entry->second = readBody(*file);
     } catch (const render::RenderError& error) {
         spdlog::warn("a fixture's body is drawn as a plain shape: {}", error.what());
     }
     return entry->second;
+}
+
+std::vector<Rig::BodyPart> Rig::readBody(const fixtures::ModelFile& file) {
+    std::vector<render::PaintedMesh> meshes = render::parseRigMesh(file.bytes, file.name);
+    const std::size_t vertices = vertexCount(meshes);
+    if (vertices > kMostBodyVertices || bodyVertices_ + vertices > kMostVerticesOfBodies) {
+        throw render::RenderError(fmt::format("{} has more than {} vertices, or all bodies more than {}",
+                                              file.name, kMostBodyVertices, kMostVerticesOfBodies));
+    }
+    bodyVertices_ += vertices;
+    fitToUnit(meshes);
+    std::vector<BodyPart> parts;
+    for (const render::PaintedMesh& painted : meshes)
+        parts.push_back({assets_.addMesh(painted.mesh), bodyMaterial(painted.paint)});
+    return parts;
 }
 
 render::MeshId Rig::meshFor(fixtures::PrimitiveType primitive) {

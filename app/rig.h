@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "fixtures/fixture.h"
 #include "render/asset_sink.h"
@@ -29,16 +30,24 @@ class Rig {
     void append(const fixtures::FixtureState& state, render::Scene& scene);
 
  private:
+    /// The surfaces of one paint, scaled to edges of 1.
+    struct BodyPart {
+        render::MeshId mesh = -1;
+        render::Material material;
+    };
+
     void appendPart(const fixtures::PartState& part, render::Scene& scene);
     render::GoboId goboFor(const std::shared_ptr<const fixtures::WheelImage>& image);
-    std::optional<render::MeshId> meshOf(const std::shared_ptr<const fixtures::ModelFile>& file);
+    const std::vector<BodyPart>& partsOf(const std::shared_ptr<const fixtures::ModelFile>& file);
+    std::vector<BodyPart> readBody(const fixtures::ModelFile& file);
     render::MeshId meshFor(fixtures::PrimitiveType primitive);
 
     render::AssetSink& assets_;
     std::map<std::shared_ptr<const fixtures::WheelImage>, render::GoboId> gobos_;
     std::map<fixtures::PrimitiveType, render::MeshId> meshes_;
     /// Of files; none of those that cannot be drawn.
-    std::map<std::shared_ptr<const fixtures::ModelFile>, std::optional<render::MeshId>> fileMeshes_;
+    std::map<std::shared_ptr<const fixtures::ModelFile>, std::vector<BodyPart>> bodies_;
+    std::size_t bodyVertices_ = 0;  ///< Of all files together.
 };
 
 }  // namespace hazer::app

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <optional>
 
+#include "app/paint.h"
 #include "fixtures/mvr.h"
 #include "fixtures/parse_error.h"
 #include "fixtures/text.h"
 #include "render/error.h"
-#include "render/mesh.h"
+#include "render/rig_mesh.h"
 
 namespace hazer::app {
 namespace {
@@ -17,15 +18,16 @@ namespace {
 constexpr std::size_t kMaxMeshBytes = std::size_t{64} << 20;
 constexpr std::size_t kMaxVertices = 8'000'000;  // Of all files together: about 200 MB.
 constexpr std::size_t kMostWarnings = 20;
+/// What has no colour is drawn in a grey that neither shines nor hides what hangs in front.
+const render::Color kSceneryPaint(0.3f);
 /// Less than this is flat, and has no shape that light could fall on.
 constexpr double kSmallestVolume = 1e-18;
 
-/// Paint that neither shines nor hides what hangs in front.
-render::Material sceneryMaterial() {
+/// A part of a mesh file that has one paint.
+struct SceneryPart {
+    render::MeshId mesh = -1;
     render::Material material;
-    material.albedo = render::Color(0.3f);
-    return material;
-}
+};
 
 class SceneryReader {
  public:
@@ -33,13 +35,13 @@ class SceneryReader {
         : scenery_(scenery),
           archive_(fixtures::openMvr(scenery.archive)),
           assets_(assets),
-          meshes_(scenery.files.size()) {}
+          parts_(scenery.files.size()) {}
 
     void appendTo(SetDressing& dressing) {
         for (const ShowScenery::Use& use : scenery_.uses) {
             if (std::abs(glm::determinant(glm::dmat3(use.worldFromMesh))) < kSmallestVolume) continue;
-            const render::MeshId mesh = meshOf(use.file);
-            if (mesh >= 0) dressing.push_back({{mesh, use.worldFromMesh, sceneryMaterial(), true}, false});
+            for (const SceneryPart& part : partsOf(use.file))
+                dressing.push_back({{part.mesh, use.worldFromMesh, part.material, true}, false});
         }
     }
 
@@ -54,22 +56,27 @@ class SceneryReader {
     }
 
  private:
-    // -1 where there is nothing to draw.
-    render::MeshId meshOf(std::size_t file) {
-        std::optional<render::MeshId>& mesh = meshes_[file];
-        if (!mesh) mesh = read(scenery_.files[file]);
-        return *mesh;
+    using Parts = std::vector<SceneryPart>;
+
+    // None where there is nothing to draw.
+    const Parts& partsOf(std::size_t file) {
+        std::optional<Parts>& parts = parts_[file];
+        if (!parts) parts = read(scenery_.files[file]);
+        return *parts;
     }
 
-    render::MeshId read(const std::string& name) {
+    Parts read(const std::string& name) {
         const auto entry = archive_.find(name, {".3ds", ".glb"});
         if (!entry) return leaveOut(name, "it is not in the rig");
         try {
-            const render::Mesh mesh =
-                render::parseMesh(archive_.read(*entry, kMaxMeshBytes), archive_.nameOf(*entry));
-            vertices_ += mesh.vertices.size();
+            const std::vector<render::PaintedMesh> meshes =
+                render::parseRigMesh(archive_.read(*entry, kMaxMeshBytes), archive_.nameOf(*entry));
+            for (const render::PaintedMesh& painted : meshes) vertices_ += painted.mesh.vertices.size();
             if (vertices_ > kMaxVertices) return leaveOut(name, "all meshes together have too many vertices");
-            return assets_.addMesh(mesh);
+            Parts parts;
+            for (const render::PaintedMesh& painted : meshes)
+                parts.push_back({assets_.addMesh(painted.mesh), materialOf(painted.paint, kSceneryPaint)});
+            return parts;
         } catch (const render::RenderError& error) {
             return leaveOut(name, error.what());
         } catch (const fixtures::ParseError& error) {
@@ -77,15 +84,15 @@ class SceneryReader {
         }
     }
 
-    render::MeshId leaveOut(const std::string& name, const std::string& reason) {
+    Parts leaveOut(const std::string& name, const std::string& reason) {
         warnings_.push_back(fmt::format("the mesh {} is left out: {}.", fixtures::inQuotes(name), reason));
-        return -1;
+        return {};
     }
 
     const ShowScenery& scenery_;
     fixtures::MvrArchive archive_;
     render::AssetSink& assets_;
-    std::vector<std::optional<render::MeshId>> meshes_;  // By file.
+    std::vector<std::optional<Parts>> parts_;  // By file.
     std::vector<std::string> warnings_;
     std::size_t vertices_ = 0;
 };

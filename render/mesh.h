@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
-#include <span>
-#include <string>
 #include <vector>
 
 namespace hazer::render {
@@ -53,9 +51,5 @@ Mesh makeTruss(double lengthM, double widthM);
 
 /// Reads glTF, 3DS or another format that Assimp knows; glTF's Y-up becomes Z-up. Throws RenderError.
 Mesh loadMesh(const std::filesystem::path& file);
-
-/// The same of the bytes of a 3DS or a binary glTF (.glb), as its name ends, from a stranger: what they refer
-/// to is not read. `name` is in messages, too. Throws RenderError.
-Mesh parseMesh(std::span<const std::uint8_t> bytes, const std::string& name);
 
 }  // namespace hazer::render

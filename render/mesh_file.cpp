@@ -5,12 +5,10 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
-#include <assimp/BaseImporter.h>
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
-#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -26,8 +24,6 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{256} << 20;
 constexpr std::size_t kMaxVertices = 10'000'000;
-/// What is read of a stranger's mesh: nothing that comes with a rig is as detailed.
-constexpr std::size_t kMaxParsedVertices = 2'000'000;
 /// Edges sharper than this stay edges where the file has no normals of its own.
 constexpr float kSmoothingAngleDeg = 50.0f;
 
@@ -60,27 +56,6 @@ class FolderOnly : public Assimp::DefaultIOSystem {
 
     fs::path folder_;
 };
-
-/// Nothing may be opened.
-class NoFiles : public Assimp::IOSystem {
- public:
-    bool Exists(const char*) const override { return false; }
-    char getOsSeparator() const override { return '/'; }
-    Assimp::IOStream* Open(const char*, const char*) override { return nullptr; }
-    void Close(Assimp::IOStream*) override {}
-};
-
-/// Leaves only those that rigs need: each further one is more code that a stranger's bytes could reach.
-void keepRigFormats(Assimp::Importer& importer) {
-    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
-        Assimp::BaseImporter* const format = importer.GetImporter(i);
-        std::set<std::string> extensions;
-        format->GetExtensionList(extensions);
-        if (extensions.contains("3ds") || extensions.contains("glb")) continue;
-        importer.UnregisterLoader(format);
-        delete format;
-    }
-}
 
 /// The end of a name that tells its format, from its dot on. Some names are nothing else.
 std::string lowerCaseEnd(const fs::path& file) {
@@ -139,19 +114,13 @@ constexpr unsigned kSteps = aiProcess_ValidateDataStructure | aiProcess_Triangul
                             aiProcess_FindInvalidData | aiProcess_GenSmoothNormals |
                             aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices;
 
-void configure(Assimp::Importer& importer, Assimp::IOSystem* files) {
-    importer.SetIOHandler(files);  // The importer deletes it.
-    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSmoothingAngleDeg);
-}
-
-Mesh meshOf(const Assimp::Importer& importer, std::size_t maxVertices, const fs::path& file) {
+Mesh meshOf(const Assimp::Importer& importer, const fs::path& file) {
     const aiScene* const scene = importer.GetScene();
     if (scene == nullptr) throw cannotReadMesh(file, importer.GetErrorString());
     std::size_t vertices = 0;
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) vertices += scene->mMeshes[i]->mNumVertices;
-    if (vertices > maxVertices)
-        throw cannotReadMesh(file, fmt::format("it has more than {} vertices; simplify it", maxVertices));
+    if (vertices > kMaxVertices)
+        throw cannotReadMesh(file, fmt::format("it has more than {} vertices; simplify it", kMaxVertices));
     Mesh mesh;
     for (unsigned i = 0; i < scene->mNumMeshes; ++i)
         appendPart(mesh, *scene->mMeshes[i], metresPerUnit(file), file);
@@ -171,20 +140,11 @@ Mesh loadMesh(const fs::path& file) {
         throw cannotReadMesh(file, fmt::format("it is larger than {} MiB; simplify it", kMaxFileBytes >> 20));
     }
     Assimp::Importer importer;
-    configure(importer, new FolderOnly(file));
+    importer.SetIOHandler(new FolderOnly(file));  // The importer deletes it.
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSmoothingAngleDeg);
     importer.ReadFile(file.string(), kSteps);
-    return meshOf(importer, kMaxVertices, file);
-}
-
-Mesh parseMesh(std::span<const std::uint8_t> bytes, const std::string& name) {
-    const fs::path file(name);
-    const std::string end = lowerCaseEnd(file);
-    const std::string hint = end.starts_with('.') ? end.substr(1) : "";
-    Assimp::Importer importer;
-    keepRigFormats(importer);
-    configure(importer, new NoFiles);
-    importer.ReadFileFromMemory(bytes.data(), bytes.size(), kSteps, hint.c_str());
-    return meshOf(importer, kMaxParsedVertices, file);
+    return meshOf(importer, file);
 }
 
 }  // namespace hazer::render

@@ -2,19 +2,20 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <initializer_list>
 #include <limits>
 #include <string>
 #include <string_view>
 
 #include "render/error.h"
 #include "render/mesh.h"
+#include "tests/support/mesh_bytes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hazer::render {
 namespace {
 
 namespace fs = std::filesystem;
+using test::bytesOf;
 
 class MeshFile : public testing::Test {
  protected:
@@ -32,13 +33,6 @@ std::string messageOf(const fs::path& file) {
         return error.what();
     }
     return "no error";
-}
-
-template <typename Value>
-std::string bytesOf(std::initializer_list<Value> values) {
-    std::string bytes;
-    for (const Value value : values) bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-    return bytes;
 }
 
 /// A triangle in glTF's world (Y up, front +Z): it stands upright, 2 high and 1 wide, and looks to +Z.
@@ -60,39 +54,9 @@ std::string gltf(const std::string& uri, const std::string& nodeTransform) {
            R"({"bufferView":2,"componentType":5123,"count":3,"type":"SCALAR"}]})";
 }
 
-std::string chunk(std::uint16_t id, const std::string& content) {
-    return bytesOf<std::uint16_t>({id}) +
-           bytesOf<std::uint32_t>({static_cast<std::uint32_t>(content.size()) + 6}) + content;
-}
-
-/// A 3DS file of one triangle that lies level at a height of 500 mm and looks up; 3DS has Z up.
+/// A triangle that lies level at a height of 500 mm and looks up; 3DS has Z up.
 std::string levelTriangle3ds() {
-    const std::string vertices =
-        chunk(0x4110, bytesOf<std::uint16_t>({3}) + bytesOf<float>({0, 0, 500, 1000, 0, 500, 0, 2000, 500}));
-    const std::string faces = chunk(0x4120, bytesOf<std::uint16_t>({1, 0, 1, 2, 7}));
-    const std::string object = chunk(0x4000, std::string("triangle\0", 9) + chunk(0x4100, vertices + faces));
-    return chunk(0x4D4D, chunk(0x3D3D, object));
-}
-
-/// A binary glTF of the same triangle.
-std::string glb(const std::string& uri = "") {
-    std::string json = gltf(uri, "");
-    if (uri.empty()) json.replace(json.find(R"("uri":"",)"), 9, "");
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    std::string buffer = triangleBuffer();
-    buffer.resize((buffer.size() + 3) / 4 * 4, '\0');
-    const auto part = [](const char* type, const std::string& content) {
-        return bytesOf<std::uint32_t>({static_cast<std::uint32_t>(content.size())}) + std::string(type, 4) +
-               content;
-    };
-    const std::string parts = part("JSON", json) + part("BIN\0", buffer);
-    return "glTF" + bytesOf<std::uint32_t>({2, static_cast<std::uint32_t>(parts.size()) + 12}) + parts;
-}
-
-Mesh parse(const std::string& bytes, const std::string& name) {
-    // A block of its exact size, so that a sanitizer sees a byte read too far.
-    const std::vector<std::uint8_t> block(bytes.begin(), bytes.end());
-    return parseMesh(block, name);
+    return test::file3ds(test::object3ds({0, 0, 500, 1000, 0, 500, 0, 2000, 500}, {0, 1, 2, 7}));
 }
 
 bool hasVertex(const Mesh& mesh, glm::vec3 positionM) {
@@ -165,49 +129,6 @@ TEST_F(MeshFile, EveryTruncatedPrefixIsRefusedOrReadWithoutHarm) {
     const std::string text = gltf("triangle.bin", "");
     for (std::size_t size = 0; size < text.size(); size += 7) {
         ASSERT_NE(messageOf(write("a.gltf", std::string_view(text).substr(0, size))), "no error") << size;
-    }
-}
-
-TEST(ParseMesh, readsWhatRigsHoldInMetresAndWithZUp) {
-    const Mesh level = parse(levelTriangle3ds(), "bar.3ds");
-    EXPECT_TRUE(hasVertex(level, {1.0f, 0.0f, 0.5f}));
-    EXPECT_TRUE(hasVertex(level, {0.0f, 2.0f, 0.5f}));
-    EXPECT_TRUE(hasVertex(parse(levelTriangle3ds(), ".3DS"), {1.0f, 0.0f, 0.5f}))
-        << "a name that is only its end";
-    const Mesh upright = parse(glb(), "wall.glb");
-    EXPECT_TRUE(hasVertex(upright, {1.0f, 0.0f, 0.0f}));
-    EXPECT_TRUE(hasVertex(upright, {0.0f, 0.0f, 2.0f}));
-}
-
-TEST(ParseMesh, readsNoOtherFormatAndNoOtherFile) {
-    const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    EXPECT_THROW(parse(obj, "a.obj"), RenderError);
-    EXPECT_THROW(parse(obj, "a.3ds"), RenderError);
-    EXPECT_THROW(parse(obj, "a"), RenderError);
-    EXPECT_THROW(parse("", "a.glb"), RenderError);
-    const test::TemporaryFolder folder;
-    // The same triangle, turned over: every place has another sign.
-    std::string other = triangleBuffer();
-    for (std::size_t sign = 3; sign < 36; sign += 4) other[sign] = static_cast<char>(other[sign] ^ '\x80');
-    const fs::path secret = folder.write("secret.bin", other);
-    try {
-        const Mesh mesh = parse(glb(secret.string()), "a.glb");
-        EXPECT_TRUE(hasVertex(mesh, {1.0f, 0.0f, 0.0f})) << "not from its own bytes";
-        EXPECT_FALSE(hasVertex(mesh, {-1.0f, 0.0f, 0.0f})) << "from the other file";
-    } catch (const RenderError&) {
-        // To refuse it is as good.
-    }
-}
-
-TEST(ParseMesh, everyPrefixIsReadOrRefused) {
-    for (const auto& [bytes, name] : {std::pair(levelTriangle3ds(), "a.3ds"), std::pair(glb(), "a.glb")}) {
-        for (std::size_t size = 0; size < bytes.size(); size += 7) {
-            try {
-                parse(bytes.substr(0, size), name);
-            } catch (const RenderError&) {
-                // The answer to a broken file.
-            }
-        }
     }
 }
 
