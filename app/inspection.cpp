@@ -13,6 +13,8 @@
 
 #include "app/nearest_name.h"
 #include "app/universe_name.h"
+#include "fixtures/channel_functions.h"
+#include "fixtures/channel_value.h"
 
 namespace hazer::app {
 namespace {
@@ -38,21 +40,44 @@ std::string firstAttribute(const fixtures::DmxChannel& channel) {
     return channel.logicalChannels.empty() ? "NoFeature" : channel.logicalChannels.front().attribute;
 }
 
-Json describeFunction(const fixtures::ChannelFunction& function) {
-    return {{"name", function.name},
-            {"attribute", function.attribute},
-            {"from", function.dmxFrom},
-            {"to", function.dmxTo},
-            {"physical_from", function.physicalFrom},
-            {"physical_to", function.physicalTo}};
+Json describeSet(const fixtures::ChannelFunction& function, const fixtures::ChannelSet& set,
+                 const fixtures::Wheel* wheel) {
+    const int slotCount = wheel == nullptr ? 0 : static_cast<int>(wheel->slots.size());
+    const auto physicalAt = [&](std::uint32_t dmx) {
+        return fixtures::valueAt(function, dmx, slotCount).physical;
+    };
+    Json description{{"name", set.name},
+                     {"from", set.dmxFrom},
+                     {"to", set.dmxTo},
+                     {"physical_from", physicalAt(set.dmxFrom)},
+                     {"physical_to", physicalAt(set.dmxTo)}};
+    if (wheel != nullptr && set.wheelSlotIndex > 0) {
+        description["wheel_slot"] = set.wheelSlotIndex;
+        description["slot_name"] = wheel->slots[static_cast<std::size_t>(set.wheelSlotIndex - 1)].name;
+    }
+    return description;
 }
 
-Json describeChannel(const fixtures::DmxChannel& channel) {
+Json describeFunction(const fixtures::FixtureType& type, const fixtures::ChannelFunction& function) {
+    const fixtures::Wheel* const wheel =
+        function.wheelIndex < 0 ? nullptr : &type.wheels[static_cast<std::size_t>(function.wheelIndex)];
+    Json sets = Json::array();
+    for (const fixtures::ChannelSet& set : function.sets) sets.push_back(describeSet(function, set, wheel));
+    Json description{{"name", function.name},
+                     {"attribute", function.attribute},
+                     {"from", function.dmxFrom},
+                     {"to", function.dmxTo},
+                     {"physical_from", function.physicalFrom},
+                     {"physical_to", function.physicalTo}};
+    if (wheel != nullptr) description["wheel"] = wheel->name;
+    description["sets"] = std::move(sets);
+    return description;
+}
+
+Json describeChannel(const fixtures::FixtureType& type, const fixtures::DmxChannel& channel) {
     Json functions = Json::array();
-    for (const fixtures::LogicalChannel& logical : channel.logicalChannels) {
-        for (const fixtures::ChannelFunction& function : logical.functions) {
-            functions.push_back(describeFunction(function));
-        }
+    for (const fixtures::ChannelFunction* function : fixtures::functionsOf(channel)) {
+        functions.push_back(describeFunction(type, *function));
     }
     return {{"geometry", channel.geometry},
             {"attribute", firstAttribute(channel)},
@@ -98,7 +123,8 @@ Json describeMode(const fixtures::FixtureTypePtr& type, const fixtures::DmxMode&
     Json footprint = Json::object();
     for (const auto& [dmxBreak, slots] : footprints(mode)) footprint[std::to_string(dmxBreak)] = slots;
     Json channels = Json::array();
-    for (const fixtures::DmxChannel& channel : mode.channels) channels.push_back(describeChannel(channel));
+    for (const fixtures::DmxChannel& channel : mode.channels)
+        channels.push_back(describeChannel(*type, channel));
     std::vector<glm::dmat4> poses;
     if (values.empty()) {
         appendRestPoses(mode.geometry, glm::dmat4(1.0), poses);
@@ -202,6 +228,23 @@ Json describeLight(const ShowLight& light) {
     return description;
 }
 
+bool isOnlyNamed(const fixtures::ChannelFunction& function) {
+    const fixtures::AttributeKind kind = fixtures::attributeKind(function.attribute);
+    return kind == fixtures::AttributeKind::kNamed ||
+           (kind == fixtures::AttributeKind::kColorMacro && function.wheelIndex < 0);
+}
+
+/// The stretches of a function that has no more to say than their names.
+std::string summarizeNames(const fixtures::ChannelFunction& function) {
+    std::string text;
+    for (const fixtures::ChannelSet& set : function.sets) {
+        if (set.name.empty()) continue;
+        fmt::format_to(std::back_inserter(text), "                   {}..{}: {}\n", set.dmxFrom, set.dmxTo,
+                       set.name);
+    }
+    return text;
+}
+
 }  // namespace
 
 Json describeFixtureType(const fixtures::FixtureTypePtr& type, const AttributeValues& values) {
@@ -245,6 +288,9 @@ std::string summarizeFixtureType(const fixtures::FixtureType& type) {
         for (const fixtures::DmxChannel& channel : mode.channels) {
             fmt::format_to(out, "    {:>11}  {} ({})\n", fmt::format("{}", fmt::join(channel.offsets, ",")),
                            firstAttribute(channel), channel.geometry);
+            for (const fixtures::ChannelFunction* function : fixtures::functionsOf(channel)) {
+                if (isOnlyNamed(*function)) text += summarizeNames(*function);
+            }
         }
     }
     for (const fixtures::Wheel& wheel : type.wheels) {

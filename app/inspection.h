@@ -13,7 +13,8 @@ namespace hazer::app {
 
 /// {"name", "manufacturer", "modes": [{"name", "footprint": {break: slots}, "channels": [{"geometry",
 /// "attribute", "break", "offsets", "functions": [{"name", "attribute", "from", "to", "physical_from",
-/// "physical_to"}]}], "beams": [{"path", "position_m", "direction"}]}], "wheels": [{"name", "slots":
+/// "physical_to", "wheel", "sets": [{"name", "from", "to", "physical_from", "physical_to", "wheel_slot",
+/// "slot_name"}]}]}], "beams": [{"path", "position_m", "direction"}]}], "wheels": [{"name", "slots":
 /// [names]}], "warnings": [sentences]}. Beams stand as in the fixture's own coordinates, at rest or where
 /// `values` bring them; a mode leaves out what it has no attribute for. Throws std::runtime_error if no mode
 /// has one.
@@ -26,7 +27,8 @@ nlohmann::ordered_json describeFixtureType(const fixtures::FixtureTypePtr& type,
 /// several channels have one attribute, its key is "geometry.attribute" from the second on.
 nlohmann::ordered_json describeShow(const Show& show, const Patch& patch);
 
-/// The same for people: a title, then a line for each mode and wheel, or each fixture and bare light.
+/// The same for people: a title, then a line for each mode and wheel, with the names of macros and effects,
+/// or each fixture and bare light.
 std::string summarizeFixtureType(const fixtures::FixtureType& type);
 std::string summarizeShow(const Show& show, const Patch& patch);
 

@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "fixtures/attribute.h"
+#include "fixtures/channel_functions.h"
+#include "fixtures/channel_value.h"
 
 namespace hazer::app {
 namespace {
@@ -56,6 +58,8 @@ constexpr std::array kFaderKinds{
     FaderKind{AttributeKind::kCtb, FaderGroup::kColor, "CTB", ""},
     FaderKind{AttributeKind::kCtc, FaderGroup::kColor, "CTC", ""},
     FaderKind{AttributeKind::kColorWheel, FaderGroup::kColor, "colour wheel", ""},
+    FaderKind{AttributeKind::kColorMacro, FaderGroup::kEffect, "", ""},
+    FaderKind{AttributeKind::kNamed, FaderGroup::kEffect, "", ""},
 };
 
 struct ColorLabel {
@@ -80,20 +84,35 @@ std::string labelOf(const FaderKind& kind, const std::string& attribute) {
     return found == kColorLabels.end() ? attribute : std::string(found->label);
 }
 
-bool isOnWheel(const fixtures::ChannelFunction& function, const std::string& attribute) {
-    return function.attribute == attribute && function.wheelIndex >= 0;
-}
-
-const fixtures::Wheel* wheelOf(const fixtures::Fixture& fixture, const std::string& attribute) {
+template <typename Matches>
+const fixtures::ChannelFunction* findFunction(const fixtures::Fixture& fixture, const Matches& matches) {
     for (const fixtures::DmxChannel& channel : fixture.mode().channels) {
-        for (const fixtures::LogicalChannel& logical : channel.logicalChannels) {
-            for (const fixtures::ChannelFunction& function : logical.functions) {
-                if (!isOnWheel(function, attribute)) continue;
-                return &fixture.type().wheels[static_cast<std::size_t>(function.wheelIndex)];
-            }
+        for (const fixtures::ChannelFunction* function : fixtures::functionsOf(channel)) {
+            if (matches(*function)) return function;
         }
     }
     return nullptr;
+}
+
+const fixtures::Wheel* wheelOf(const fixtures::Fixture& fixture, const std::string& attribute) {
+    const fixtures::ChannelFunction* const onWheel =
+        findFunction(fixture, [&attribute](const fixtures::ChannelFunction& function) {
+            return function.attribute == attribute && function.wheelIndex >= 0;
+        });
+    return onWheel == nullptr ? nullptr
+                              : &fixture.type().wheels[static_cast<std::size_t>(onWheel->wheelIndex)];
+}
+
+std::vector<NamedFaderValue> namesOf(const fixtures::Fixture& fixture, const std::string& attribute) {
+    const fixtures::ChannelFunction* const function = findFunction(
+        fixture, [&attribute](const auto& candidate) { return candidate.attribute == attribute; });
+    std::vector<NamedFaderValue> names;
+    if (function == nullptr) return names;
+    for (const fixtures::ChannelSet& set : function->sets) {
+        const std::uint32_t middle = set.dmxFrom + (set.dmxTo - set.dmxFrom) / 2;
+        if (!set.name.empty()) names.push_back({set.name, fixtures::valueAt(*function, middle, 0).physical});
+    }
+    return names;
 }
 
 std::optional<Fader> faderFor(const fixtures::Fixture& fixture, const fixtures::AttributeRange& range) {
@@ -109,6 +128,9 @@ std::optional<Fader> faderFor(const fixtures::Fixture& fixture, const fixtures::
     fader.from = std::min(range.physicalFrom, range.physicalTo);
     fader.to = std::max(range.physicalFrom, range.physicalTo);
     if (range.wheelSlotCount > 0) fader.wheel = wheelOf(fixture, range.attribute);
+    if (fader.group == FaderGroup::kEffect && fader.wheel == nullptr) {
+        fader.names = namesOf(fixture, range.attribute);
+    }
     return fader;
 }
 
@@ -149,6 +171,8 @@ std::string_view groupName(FaderGroup group) {
             return "Gobo";
         case FaderGroup::kColor:
             return "Colour";
+        case FaderGroup::kEffect:
+            return "Effects";
     }
     return "";
 }

@@ -11,7 +11,13 @@
 namespace hazer::app {
 
 /// Faders of a group stand together, in this order.
-enum class FaderGroup : std::uint8_t { kIntensity, kPosition, kBeam, kGobo, kColor };
+enum class FaderGroup : std::uint8_t { kIntensity, kPosition, kBeam, kGobo, kColor, kEffect };
+
+/// A value that has a name in the fixture's file.
+struct NamedFaderValue {
+    std::string name;
+    double value = 0.0;  ///< In the middle of the stretch that has this name.
+};
 
 struct Fader {
     std::string attribute;  ///< As GDTF names it.
@@ -22,6 +28,7 @@ struct Fader {
     double to = 1.0;
     const fixtures::Wheel* wheel =
         nullptr;  ///< Where the values are its slots 1..; lives as long as the fixture.
+    std::vector<NamedFaderValue> names;  ///< Where a name is all that the file says of a value.
 };
 
 /// In the order in which they are shown. Attributes without effect on the light are left out.

@@ -45,7 +45,9 @@ void drawColorMixer(fixtures::Fixture& fixture, HeldFaders& held) {
 
 void drawFader(const Fader& fader, fixtures::Fixture& fixture, WindowState& state,
                WindowThumbnails& thumbnails) {
-    if (fader.wheel == nullptr) {
+    if (!fader.names.empty()) {
+        drawNameRow(fader, fixture, state.held);
+    } else if (fader.wheel == nullptr) {
         drawSliderRow(fader, fixture, state.held);
     } else if (fader.group == FaderGroup::kGobo) {
         drawGoboWheelRow(fader, fixture, state.held, thumbnails, state.lastGobos);

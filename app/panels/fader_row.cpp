@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace hazer::app {
 namespace {
 
@@ -15,8 +17,21 @@ double shownPerUnit(const Fader& fader) {
     return fader.unit == kPercent ? 100.0 : 1.0;
 }
 
-std::string formatOf(const Fader& fader) {
-    return fader.unit == kPercent ? "%.1f %%" : "%.1f " + fader.unit;
+/// The name that the file has for where the fader stands; "" for none.
+std::string nameAt(const Fader& fader, const fixtures::Fixture& fixture) {
+    const fixtures::ChannelSet* const set = fixture.set(fader.attribute);
+    return set == nullptr ? "" : set->name;
+}
+
+std::string withoutFormats(std::string text) {
+    std::ranges::replace(text, '%', ' ');
+    return text;
+}
+
+/// For ImGui, which writes the value in place of "%.1f".
+std::string formatOf(const Fader& fader, const std::string& name) {
+    const std::string value = fader.unit == kPercent ? "%.1f %%" : "%.1f " + fader.unit;
+    return name.empty() ? value : value + "  " + withoutFormats(name);
 }
 
 void drawLabel(const Fader& fader, bool isHeld) {
@@ -59,13 +74,30 @@ void drawRow(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held,
     ImGui::PopID();
 }
 
+void drawNameRow(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held) {
+    drawRow(fader, fixture, held, [&] {
+        const std::string current = nameAt(fader, fixture);
+        if (!ImGui::BeginCombo("##names", current.c_str())) return;
+        for (std::size_t index = 0; index < fader.names.size(); ++index) {
+            const NamedFaderValue& named = fader.names[index];
+            ImGui::PushID(static_cast<int>(index));
+            if (ImGui::Selectable(named.name.c_str(), named.name == current)) {
+                held.hold(fixture, fader.attribute, named.value);
+            }
+            ImGui::PopID();
+        }
+        ImGui::EndCombo();
+    });
+}
+
 void drawSliderRow(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held) {
     drawRow(fader, fixture, held, [&] {
         const double scale = shownPerUnit(fader);
         const double from = fader.from * scale;
         const double to = fader.to * scale;
         double shown = fixture.value(fader.attribute).value_or(fader.from) * scale;
-        if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &shown, &from, &to, formatOf(fader).c_str(),
+        if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &shown, &from, &to,
+                                formatOf(fader, nameAt(fader, fixture)).c_str(),
                                 ImGuiSliderFlags_AlwaysClamp)) {
             held.hold(fixture, fader.attribute, shown / scale);
         }

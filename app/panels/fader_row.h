@@ -14,7 +14,10 @@ inline constexpr unsigned kHeldColor = 0xFF50BEFFu;
 /// Lays rows out one under the other. `draw` makes them.
 void drawFaderTable(const char* id, const std::function<void()>& draw);
 
-/// A row with a slider.
+/// A row with a list of the fader's names.
+void drawNameRow(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held);
+
+/// A row with a slider; behind its value stands what the fixture's file calls that.
 void drawSliderRow(const Fader& fader, fixtures::Fixture& fixture, HeldFaders& held);
 
 /// A row whose control `draw` makes, with all the width it may take.

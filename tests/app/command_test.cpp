@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -142,6 +143,31 @@ TEST(Program, aWindowNeedsADisplay) {
 }
 
 // The same head as everywhere: pan 90, tilt 45 points at -X and down.
+TEST(Program, inspectListsFunctionsAndTheirSets) {
+    const test::ProcessResult result = hazer({"inspect", "moving-spot", "--json"});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    const nlohmann::json channels = nlohmann::json::parse(result.output)["modes"][0]["channels"];
+    const auto gobo = std::ranges::find_if(channels, [](const auto& c) { return c["attribute"] == "Gobo1"; });
+    ASSERT_NE(gobo, channels.end());
+    const nlohmann::json& function = (*gobo)["functions"][0];
+    EXPECT_EQ(function["wheel"], "Gobo Wheel");
+    const nlohmann::json& set = function["sets"][1];
+    EXPECT_EQ(set["wheel_slot"], 2);
+    EXPECT_EQ(set["slot_name"], set["name"]);
+    EXPECT_EQ(set["from"], 21);
+    EXPECT_EQ(set["to"], 41);
+    const auto shutter =
+        std::ranges::find_if(channels, [](const auto& c) { return c["attribute"] == "Shutter1"; });
+    ASSERT_NE(shutter, channels.end());
+    EXPECT_EQ((*shutter)["functions"][0]["sets"][0]["name"], "Closed");
+    EXPECT_EQ((*shutter)["functions"][0]["sets"][0]["physical_to"], 0.0);
+}
+
+TEST(Program, inspectSaysWhatMacrosAreCalled) {
+    const test::ProcessResult result = hazer({"inspect", "effect-light"});
+    EXPECT_NE(result.output.find("85..169: Windmill"), std::string::npos) << result.output;
+}
+
 TEST(Program, inspectPutsAFixtureWhereItIsAskedTo) {
     const test::ProcessResult result = hazer({"inspect", "moving-spot", "--json", "--at", "Pan=90,Tilt=45"});
     EXPECT_EQ(result.exitCode, 0);

@@ -50,6 +50,38 @@ TEST(Faders, ofAMovingSpot) {
     EXPECT_EQ(find(faders, "Dimmer")->wheel, nullptr);
 }
 
+TEST(Faders, ofEffectsHaveTheNamesOfTheFile) {
+    Patch patch(showWith("pixel-wash"));
+    fixtures::Fixture& fixture = patch.fixtures().front().fixture;
+    const std::vector<Fader> faders = fadersOf(fixture);
+    const Fader* const effects = find(faders, "Effects1");
+    ASSERT_NE(effects, nullptr);
+    EXPECT_EQ(effects->group, FaderGroup::kEffect);
+    ASSERT_GE(effects->names.size(), 2u);
+    for (const NamedFaderValue& named : effects->names) {
+        fixture.hold("Effects1", named.value);
+        ASSERT_NE(fixture.set("Effects1"), nullptr) << named.name;
+        EXPECT_EQ(fixture.set("Effects1")->name, named.name);
+    }
+    const Fader* const macro = find(faders, "ColorMacro1");
+    ASSERT_NE(macro, nullptr);
+    EXPECT_NE(macro->wheel, nullptr);
+    EXPECT_TRUE(macro->names.empty());
+}
+
+TEST(Faders, haveANameForWhereTheyStandOnlyWhileTheyAct) {
+    Patch patch(showWith("moving-spot"));
+    fixtures::Fixture& fixture = patch.fixtures().front().fixture;
+    fixture.hold("Shutter1", 0.0);
+    ASSERT_NE(fixture.set("Shutter1"), nullptr);
+    EXPECT_EQ(fixture.set("Shutter1")->name, "Closed");
+    fixture.hold("Shutter1", std::nullopt);
+    fixture.hold("Shutter1Strobe", 5.0);
+    EXPECT_EQ(fixture.set("Shutter1"), nullptr);
+    EXPECT_EQ(fixture.set("Dimmer"), nullptr);
+    EXPECT_EQ(fixture.set("NoSuchAttribute"), nullptr);
+}
+
 TEST(Faders, areThoseThatTheFixtureHas) {
     const Patch par(showWith("par-rgbw"));
     EXPECT_THAT(labelsOf(par), Contains("white"));
