@@ -94,7 +94,7 @@ std::span<const UnitBox> boxesOf(fixtures::PrimitiveType primitive) {
 
 /// Hundreds of fixtures have the same body.
 constexpr std::size_t kMostBodyVertices = 100'000;
-constexpr std::size_t kMostVerticesOfBodies = 2'000'000;
+constexpr std::size_t kMostVerticesOfBodies = 1'500'000;
 
 /// Scales each axis about the origin so that the bounds have edges of 1: a GDTF model's own units mean
 /// nothing (DIN SPEC 15800, Models).
@@ -204,13 +204,15 @@ const std::vector<Rig::BodyPart>& Rig::partsOf(const std::shared_ptr<const fixtu
 }
 
 std::vector<Rig::BodyPart> Rig::readBody(const fixtures::ModelFile& file) {
-    std::vector<render::PaintedMesh> meshes = render::parseRigMesh(file.bytes, file.name);
+    std::vector<render::PaintedMesh> meshes;
+    // What is refused has taken its time, too, and is counted.
+    if (bodyVertices_ < kMostVerticesOfBodies) meshes = render::parseRigMesh(file.bytes, file.name);
     const std::size_t vertices = vertexCount(meshes);
-    if (vertices > kMostBodyVertices || bodyVertices_ + vertices > kMostVerticesOfBodies) {
+    bodyVertices_ += vertices;
+    if (vertices > kMostBodyVertices || bodyVertices_ >= kMostVerticesOfBodies) {
         throw render::RenderError(fmt::format("{} has more than {} vertices, or all bodies more than {}",
                                               file.name, kMostBodyVertices, kMostVerticesOfBodies));
     }
-    bodyVertices_ += vertices;
     fitToUnit(meshes);
     std::vector<BodyPart> parts;
     for (const render::PaintedMesh& painted : meshes)

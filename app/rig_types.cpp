@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "app/fixture_library.h"
 #include "app/stand_in.h"
@@ -22,20 +21,8 @@ using fixtures::inQuotes;
 constexpr std::size_t kMaxGdtfBytes = std::size_t{64} << 20;
 constexpr std::size_t kMaxWarnings = 200;
 
-/// What the pictures of all wheels together may fill: 64 Mi pixels are 256 MiB.
-constexpr std::size_t kMaxPixels = std::size_t{64} << 20;
-
-std::size_t pixelsOf(const FixtureType& type) {
-    std::set<const fixtures::WheelImage*> images;
-    for (const fixtures::Wheel& wheel : type.wheels) {
-        for (const fixtures::WheelSlot& slot : wheel.slots) images.insert(slot.image.get());
-    }
-    std::size_t pixels = 0;
-    for (const fixtures::WheelImage* image : images) {
-        if (image != nullptr) pixels += image->rgba.size() / 4;
-    }
-    return pixels;
-}
+/// No rig has as many, and each takes time even where it is broken.
+constexpr std::size_t kMaxTypes = 1000;
 
 /// The file's own name alone, so that a rig cannot reach out of its folder.
 std::filesystem::path besideRig(const std::filesystem::path& folder, const std::string& spec) {
@@ -77,7 +64,9 @@ RigType RigTypes::typeOf(const fixtures::MvrDevice& device, const std::string& n
 const RigTypes::Loaded& RigTypes::load(const std::string& spec) {
     const std::optional<std::size_t> entry = archive_.find(spec, {".gdtf"});
     const auto [known, isNew] = loaded_.try_emplace(entry ? archive_.nameOf(*entry) : spec);
-    if (isNew) known->second = read(spec, entry);
+    if (isNew)
+        known->second =
+            loaded_.size() > kMaxTypes ? Loaded{nullptr, "comes after too many others"} : read(spec, entry);
     return known->second;
 }
 
@@ -85,14 +74,13 @@ RigTypes::Loaded RigTypes::read(const std::string& spec, const std::optional<std
     try {
         FixtureTypePtr type;
         if (entry) {
-            type = fixtures::parseGdtfArchive(archive_.read(*entry, kMaxGdtfBytes), archive_.nameOf(*entry));
+            type = fixtures::parseGdtfArchive(archive_.read(*entry, kMaxGdtfBytes), archive_.nameOf(*entry),
+                                              &budget_);
         } else if (const std::filesystem::path file = besideRig(folder_, spec); !file.empty()) {
-            type = fixtures::loadGdtf(file);
+            type = fixtures::loadGdtf(file, &budget_);
         } else {
             return {nullptr, "is neither in the rig nor beside it"};
         }
-        pixels_ += pixelsOf(*type);
-        if (pixels_ > kMaxPixels) return {nullptr, "has more wheel pictures than fit beside those of others"};
         return {type, ""};
     } catch (const fixtures::ParseError& error) {
         return {nullptr, fmt::format("cannot be read ({})", error.what())};

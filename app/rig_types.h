@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fixtures/fixture_budget.h"
 #include "fixtures/mvr.h"
 
 namespace hazer::app {
@@ -50,7 +51,7 @@ class RigTypes {
     std::map<std::string, Loaded> loaded_;  // By the name in the archive, else that in the scene.
     std::map<std::string, fixtures::FixtureTypePtr> library_;
     std::vector<std::string> warnings_;
-    std::size_t pixels_ = 0;  // Of all pictures of wheels.
+    fixtures::FixtureBudget budget_;  // Of all GDTFs together.
 };
 
 }  // namespace hazer::app

@@ -16,7 +16,8 @@ namespace hazer::app {
 namespace {
 
 constexpr std::size_t kMaxMeshBytes = std::size_t{64} << 20;
-constexpr std::size_t kMaxVertices = 8'000'000;  // Of all files together: about 200 MB.
+constexpr std::size_t kMaxVertices = 3'000'000;  // Of all files together.
+constexpr const char* kTooMany = "all meshes together have too many vertices";
 constexpr std::size_t kMostWarnings = 20;
 /// What has no colour is drawn in a grey that neither shines nor hides what hangs in front.
 const render::Color kSceneryPaint(0.3f);
@@ -32,10 +33,7 @@ struct SceneryPart {
 class SceneryReader {
  public:
     SceneryReader(const ShowScenery& scenery, render::AssetSink& assets)
-        : scenery_(scenery),
-          archive_(fixtures::openMvr(scenery.archive)),
-          assets_(assets),
-          parts_(scenery.files.size()) {}
+        : scenery_(scenery), archive_(scenery.archive), assets_(assets), parts_(scenery.files.size()) {}
 
     void appendTo(SetDressing& dressing) {
         for (const ShowScenery::Use& use : scenery_.uses) {
@@ -68,11 +66,12 @@ class SceneryReader {
     Parts read(const std::string& name) {
         const auto entry = archive_.find(name, {".3ds", ".glb"});
         if (!entry) return leaveOut(name, "it is not in the rig");
+        if (vertices_ > kMaxVertices) return leaveOut(name, kTooMany);
         try {
             const std::vector<render::PaintedMesh> meshes =
                 render::parseRigMesh(archive_.read(*entry, kMaxMeshBytes), archive_.nameOf(*entry));
             for (const render::PaintedMesh& painted : meshes) vertices_ += painted.mesh.vertices.size();
-            if (vertices_ > kMaxVertices) return leaveOut(name, "all meshes together have too many vertices");
+            if (vertices_ > kMaxVertices) return leaveOut(name, kTooMany);
             Parts parts;
             for (const render::PaintedMesh& painted : meshes)
                 parts.push_back({assets_.addMesh(painted.mesh), materialOf(painted.paint, kSceneryPaint)});

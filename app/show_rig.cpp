@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "app/rig_mount.h"
 #include "app/rig_stage.h"
 #include "app/rig_types.h"
 #include "fixtures/parse_error.h"
@@ -15,6 +16,7 @@
 namespace hazer::app {
 namespace {
 
+using fixtures::DmxMode;
 using fixtures::MvrDevice;
 using fixtures::MvrObject;
 using fixtures::MvrScene;
@@ -22,6 +24,8 @@ using fixtures::MvrScene;
 constexpr std::size_t kMaxGoboBytes = std::size_t{16} << 20;
 constexpr std::size_t kMostMeshUses = 20'000;  // Each is drawn by a call of its own.
 constexpr std::size_t kMostFixtures = 20'000;
+/// Channels and geometries of all fixtures together: some hundred bytes and nanoseconds a frame each.
+constexpr std::size_t kMostPatchedParts = 500'000;
 constexpr int kMaxPortAddress = 32767;
 
 /// Where an MVR universe, which is a number from 1, is heard.
@@ -35,6 +39,12 @@ std::vector<protocol::UniverseId> universesFor(int universe, RigProtocol protoco
     return universes;
 }
 
+std::size_t countGeometries(const fixtures::Geometry& geometry) {
+    std::size_t count = 1;
+    for (const fixtures::Geometry& child : geometry.children) count += countGeometries(child);
+    return count;
+}
+
 /// Adds what a rig holds to a show.
 class RigReader {
  public:
@@ -45,52 +55,74 @@ class RigReader {
     }
 
     void read() {
-        const MvrScene& scene = archive_.scene();
+        const MvrScene scene = archive_.readScene();
         show_.scenery.archive = show_.rig.file;
         show_.scenery.files = scene.meshFiles;
         show_.warnings = scene.warnings;
-        for (const MvrObject& object : scene.objects) readObject(object);
+        for (std::size_t i = 0; i < scene.objects.size(); ++i) readObject(scene, static_cast<int>(i));
         if (fixturesLeftOut_ > 0)
-            warn(fmt::format("{} fixtures more than {} are left out.", fixturesLeftOut_, kMostFixtures));
+            warn(fmt::format("{} fixtures are left out: {} are enough, with {} channels and parts.",
+                             fixturesLeftOut_, kMostFixtures, kMostPatchedParts));
         if (meshesLeftOut_ > 0)
             warn(fmt::format("{} meshes more than {} are left out.", meshesLeftOut_, kMostMeshUses));
         show_.warnings.insert(show_.warnings.end(), types_.warnings().begin(), types_.warnings().end());
     }
 
  private:
-    void readObject(const MvrObject& object) {
-        if (object.device) readFixture(object, *object.device);
+    void readObject(const MvrScene& scene, int index) {
+        const MvrObject& object = scene.objects[static_cast<std::size_t>(index)];
+        bool isFound = true;
+        const glm::dmat4 moved = mounts_.worldFromScene(scene, index, isFound);
+        if (!isFound) {
+            warn(fmt::format("{} hangs on {}, which is no part of what it is in; it is drawn at its origin.",
+                             fixtures::inQuotes(object.name),
+                             fixtures::inQuotes(object.device->childPosition)));
+        }
+        if (object.device) {
+            const DmxMode* const mode = readFixture(object, *object.device, moved);
+            if (mode != nullptr) mounts_.add(index, *mode);
+        }
         for (const fixtures::MvrMesh& mesh : object.meshes) {
             if (show_.scenery.uses.size() < kMostMeshUses) {
-                show_.scenery.uses.push_back({static_cast<std::size_t>(mesh.file), mesh.worldFromMesh});
+                show_.scenery.uses.push_back(
+                    {static_cast<std::size_t>(mesh.file), moved * mesh.worldFromMesh});
             } else {
                 ++meshesLeftOut_;
             }
         }
     }
 
-    void readFixture(const MvrObject& object, const MvrDevice& device) {
-        if (count_ == kMostFixtures) {
+    /// Its mode; null if it is left out.
+    const DmxMode* readFixture(const MvrObject& object, const MvrDevice& device, const glm::dmat4& moved) {
+        if (count_ == kMostFixtures || parts_ > kMostPatchedParts) {
             ++fixturesLeftOut_;
-            return;
+            return nullptr;
         }
         const bool isFixture = object.kind == fixtures::MvrKind::kFixture;
         const RigType type = types_.typeOf(device, object.name, isFixture);
-        if (type.type == nullptr) return;
+        if (type.type == nullptr) return nullptr;
+        const DmxMode& mode = *std::ranges::find(type.type->modes, type.mode, &fixtures::DmxMode::name);
+        parts_ += mode.channels.size() + countGeometries(mode.geometry);
+        if (parts_ > kMostPatchedParts) {
+            ++fixturesLeftOut_;
+            return nullptr;
+        }
         ++count_;
         ShowFixture& fixture = show_.fixtures.emplace_back();
         fixture.name = uniqueName(object, device, *type.type);
         fixture.gdtf = device.gdtfSpec;
         fixture.mode = type.mode;
-        fixture.positionM = glm::dvec3(object.worldFromObject[3]);
+        const glm::dmat4 world = moved * object.worldFromObject;
+        fixture.positionM = glm::dvec3(world[3]);
         fixture.line = show_.rig.line;
-        fixture.rig = RigFixture{type.type, object.worldFromObject, {}, {}, device.focusM};
-        const fixtures::DmxMode& mode =
-            *std::ranges::find(type.type->modes, type.mode, &fixtures::DmxMode::name);
+        fixture.rig = RigFixture{type.type, world, {}, {}, device.focusM};
         addAddresses(device, mode, fixture);
         followCommands(device, mode, *fixture.rig);
         fixture.rig->fittings.gel = device.gel;
+        fixture.rig->fittings.invertsPan = device.invertsPan;
+        fixture.rig->fittings.invertsTilt = device.invertsTilt;
         if (device.gobo) putGobo(*device.gobo, fixture);
+        return &mode;
     }
 
     // A fixture is named by its number where the name alone says too little.
@@ -106,7 +138,7 @@ class RigReader {
         return name;
     }
 
-    void addAddresses(const MvrDevice& device, const fixtures::DmxMode& mode, ShowFixture& fixture) {
+    void addAddresses(const MvrDevice& device, const DmxMode& mode, ShowFixture& fixture) {
         for (const fixtures::MvrAddress& address : device.addresses) {
             const int footprint = fixtures::footprintOf(mode, address.dmxBreak);
             if (footprint == 0) continue;
@@ -122,7 +154,7 @@ class RigReader {
 
     // "Base_Zoom.Zoom.Zoom 1": of the path, the attribute counts. A zoom that the channel does not reach is
     // nevertheless what the lamp has.
-    static void followCommands(const MvrDevice& device, const fixtures::DmxMode& mode, RigFixture& rig) {
+    static void followCommands(const MvrDevice& device, const DmxMode& mode, RigFixture& rig) {
         for (const fixtures::MvrCommand& command : device.commands) {
             const std::vector<std::string_view> path = fixtures::split(command.function, '.');
             const std::string attribute(path[path.size() > 1 ? 1 : 0]);
@@ -141,7 +173,7 @@ class RigReader {
 
     using Range = std::pair<double, double>;
 
-    static std::optional<Range> rangeOf(const fixtures::DmxMode& mode, const std::string& attribute) {
+    static std::optional<Range> rangeOf(const DmxMode& mode, const std::string& attribute) {
         for (const fixtures::DmxChannel& channel : mode.channels) {
             for (const fixtures::LogicalChannel& logical : channel.logicalChannels) {
                 for (const fixtures::ChannelFunction& function : logical.functions) {
@@ -188,7 +220,9 @@ class RigReader {
     std::set<std::string> names_;
     std::map<std::string, int> numbers_;  // How often a name had to be numbered.
     std::map<std::string, std::shared_ptr<const fixtures::WheelImage>> gobos_;
+    RigMounts mounts_;
     std::size_t count_ = 0;
+    std::size_t parts_ = 0;
     std::size_t fixturesLeftOut_ = 0;
     std::size_t meshesLeftOut_ = 0;
     static constexpr std::size_t kMostGobos = 16;
@@ -202,7 +236,7 @@ bool isRig(const std::filesystem::path& file) {
 
 void addRig(Show& show) {
     try {
-        fixtures::MvrArchive archive = fixtures::openMvr(show.rig.file);
+        fixtures::MvrArchive archive(show.rig.file);
         RigReader(archive, show).read();
     } catch (const fixtures::ParseError& error) {
         throw ShowError(error.what());

@@ -36,9 +36,9 @@ enum Chunk : std::uint16_t {
 };
 
 /// Takes values off the front.
-class Cursor {
+class ThreeDsCursor {
  public:
-    explicit Cursor(Bytes bytes) : bytes_(bytes) {}
+    explicit ThreeDsCursor(Bytes bytes) : bytes_(bytes) {}
 
     bool has(std::size_t size) const { return bytes_.size() >= size; }
     Bytes rest() const { return bytes_; }
@@ -73,10 +73,10 @@ float linearFromSrgb(float value) {
     return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
 
-class Reader {
+class ThreeDsReader {
  public:
     std::vector<MeshSurface> read(Bytes bytes) {
-        Cursor file(bytes);
+        ThreeDsCursor file(bytes);
         if (!file.has(6) || file.take<std::uint16_t>() != kFile) throw RenderError("it is no 3DS file");
         file.takeBytes(4);
         forEachChunk(file.rest(), [this](std::uint16_t id, Bytes content) {
@@ -91,7 +91,7 @@ class Reader {
     template <typename Visit>
     void forEachChunk(Bytes bytes, const Visit& visit) {
         constexpr std::size_t kHeader = 6;
-        for (Cursor list(bytes); list.has(kHeader);) {
+        for (ThreeDsCursor list(bytes); list.has(kHeader);) {
             if (++chunks_ > kMostChunks) throw RenderError("it has too many parts; simplify it");
             const auto id = list.take<std::uint16_t>();
             const std::size_t size = list.take<std::uint32_t>();
@@ -111,7 +111,7 @@ class Reader {
         std::string name;
         std::optional<glm::vec3> diffuse;
         forEachChunk(bytes, [&](std::uint16_t id, Bytes content) {
-            if (id == kMaterialName) name = Cursor(content).takeText();
+            if (id == kMaterialName) name = ThreeDsCursor(content).takeText();
             if (id == kDiffuse) diffuse = readColor(content);
         });
         if (diffuse) paints_.try_emplace(std::move(name), *diffuse);
@@ -124,7 +124,7 @@ class Reader {
             const bool isFloat = id == kFloatColor || id == kLinearFloatColor;
             const bool isByte = id == kByteColor || id == kLinearByteColor;
             if (color || (!isFloat && !isByte)) return;
-            Cursor values(content);
+            ThreeDsCursor values(content);
             glm::vec3 read;
             for (int i = 0; i < 3; ++i) {
                 const float value =
@@ -138,7 +138,7 @@ class Reader {
     }
 
     void readObject(Bytes bytes) {
-        Cursor object(bytes);
+        ThreeDsCursor object(bytes);
         object.takeText();
         forEachChunk(object.rest(), [this](std::uint16_t id, Bytes content) {
             if (id == kMesh) readMesh(content);
@@ -156,7 +156,7 @@ class Reader {
     }
 
     void readVertices(Bytes bytes, MeshSurface& surface) {
-        Cursor vertices(bytes);
+        ThreeDsCursor vertices(bytes);
         const std::size_t count = vertices.take<std::uint16_t>();
         if (!vertices.has(count * 3 * sizeof(float))) throw RenderError("it has fewer vertices than it says");
         budget_.spend(count, 0);
@@ -167,7 +167,7 @@ class Reader {
     }
 
     void readFaces(Bytes bytes, MeshSurface surface) {
-        Cursor faces(bytes);
+        ThreeDsCursor faces(bytes);
         const std::size_t count = faces.take<std::uint16_t>();
         budget_.spend(0, count);
         std::vector<std::string> materials(1);  // The first is none.
@@ -190,7 +190,7 @@ class Reader {
 
     static void readFaceMaterial(Bytes bytes, std::vector<std::string>& materials,
                                  std::vector<std::size_t>& materialOf) {
-        Cursor list(bytes);
+        ThreeDsCursor list(bytes);
         materials.push_back(list.takeText());
         for (std::size_t count = list.take<std::uint16_t>(); count > 0 && list.has(2); --count) {
             const std::size_t face = list.take<std::uint16_t>();
@@ -244,7 +244,7 @@ class Reader {
 }  // namespace
 
 std::vector<MeshSurface> read3ds(std::span<const std::uint8_t> bytes) {
-    return Reader().read(bytes);
+    return ThreeDsReader().read(bytes);
 }
 
 }  // namespace hazer::render

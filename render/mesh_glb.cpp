@@ -27,37 +27,37 @@ constexpr std::int64_t kIntType = 5125;
 constexpr std::int64_t kFloatType = 5126;
 
 /// As a primitive's "mode".
-enum class Mode { kTriangles = 4, kStrip = 5, kFan = 6 };
+enum class PrimitiveMode { kTriangles = 4, kStrip = 5, kFan = 6 };
 
-[[noreturn]] void fail(const std::string& reason) {
+[[noreturn]] void failGlb(const std::string& reason) {
     throw RenderError(reason);
 }
 
 std::uint32_t wordAt(Bytes bytes, std::size_t at) {
-    if (bytes.size() < 4 || at > bytes.size() - 4) fail("it ends too early");
+    if (bytes.size() < 4 || at > bytes.size() - 4) failGlb("it ends too early");
     std::uint32_t word = 0;
     std::memcpy(&word, bytes.data() + at, sizeof word);
     return word;
 }
 
-struct Parts {
+struct GlbParts {
     Bytes json;
     Bytes buffer;
 };
 
-Parts partsOf(Bytes bytes) {
+GlbParts partsOf(Bytes bytes) {
     constexpr std::uint32_t kMagic = 0x46546C67;
     constexpr std::uint32_t kJson = 0x4E4F534A;
     constexpr std::uint32_t kBinary = 0x004E4942;
     constexpr std::size_t kHeader = 12;
     if (bytes.size() < kHeader || wordAt(bytes, 0) != kMagic || wordAt(bytes, 4) != 2)
-        fail("it is no binary glTF 2.0");
-    Parts parts;
+        failGlb("it is no binary glTF 2.0");
+    GlbParts parts;
     for (std::size_t at = kHeader; bytes.size() - at >= 8;) {
         const std::size_t size = wordAt(bytes, at);
         const std::uint32_t type = wordAt(bytes, at + 4);
         at += 8;
-        if (size > bytes.size() - at) fail("it ends too early");
+        if (size > bytes.size() - at) failGlb("it ends too early");
         if (type == kJson && parts.json.empty()) parts.json = bytes.subspan(at, size);
         if (type == kBinary && parts.buffer.empty()) parts.buffer = bytes.subspan(at, size);
         at += size;
@@ -86,12 +86,12 @@ int depthOf(Bytes json) {
 
 Json parseJson(Bytes text) {
     if (text.size() > kMaxJsonBytes)
-        fail(fmt::format("its JSON is larger than {} MiB; simplify it", kMaxJsonBytes >> 20));
-    if (depthOf(text) > kMaxJsonDepth) fail("its JSON is nested too deep");
+        failGlb(fmt::format("its JSON is larger than {} MiB; simplify it", kMaxJsonBytes >> 20));
+    if (depthOf(text) > kMaxJsonDepth) failGlb("its JSON is nested too deep");
     try {
         return Json::parse(text.begin(), text.end());
     } catch (const Json::exception&) {
-        fail("its JSON is broken");
+        failGlb("its JSON is broken");
     }
 }
 
@@ -109,7 +109,7 @@ std::size_t sizeIn(const Json& object, const char* name, std::size_t otherwise) 
     if (value.is_null()) return otherwise;
     constexpr std::uint64_t kLargest = std::uint64_t{1} << 40;
     if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kLargest)
-        fail(fmt::format("its {} is no count", name));
+        failGlb(fmt::format("its {} is no count", name));
     return static_cast<std::size_t>(value.get<std::uint64_t>());
 }
 
@@ -118,7 +118,7 @@ const Json& listed(const Json& root, const char* list, const Json& number) {
     const Json& elements = member(root, list);
     if (!elements.is_array() || !number.is_number_unsigned() ||
         number.get<std::uint64_t>() >= elements.size()) {
-        fail(fmt::format("it refers to {} that are not there", list));
+        failGlb(fmt::format("it refers to {} that are not there", list));
     }
     return elements[static_cast<std::size_t>(number.get<std::uint64_t>())];
 }
@@ -126,9 +126,10 @@ const Json& listed(const Json& root, const char* list, const Json& number) {
 template <std::size_t count>
 bool readNumbers(const Json& list, std::array<double, count>& numbers) {
     if (list.is_null()) return false;
-    if (!list.is_array() || list.size() != count) fail("a list of numbers has another length than it must");
+    if (!list.is_array() || list.size() != count)
+        failGlb("a list of numbers has another length than it must");
     for (std::size_t i = 0; i < count; ++i) {
-        if (!list[i].is_number()) fail("a list of numbers holds something else");
+        if (!list[i].is_number()) failGlb("a list of numbers holds something else");
         numbers[i] = list[i].get<double>();
     }
     return true;
@@ -154,7 +155,7 @@ glm::dmat4 parentFromNode(const Json& node) {
 }
 
 /// The values of an accessor where they lie in the buffer.
-struct Accessor {
+struct GlbAccessor {
     Bytes bytes;  // From its first value on.
     std::size_t stride = 0;
     std::size_t count = 0;
@@ -168,14 +169,14 @@ struct Accessor {
     }
 };
 
-class Reader {
+class GlbReader {
  public:
-    explicit Reader(const Parts& parts) : root_(parseJson(parts.json)), buffer_(parts.buffer) {}
+    explicit GlbReader(const GlbParts& parts) : root_(parseJson(parts.json)), buffer_(parts.buffer) {}
 
     std::vector<MeshSurface> read() {
         const Json& required = member(root_, "extensionsRequired");
         if (required.is_array() && !required.empty())
-            fail("it requires extensions; export it without compression");
+            failGlb("it requires extensions; export it without compression");
         const Json& number = member(root_, "scene");
         const Json& scene = listed(root_, "scenes", number.is_null() ? Json(0u) : number);
         // (x, y, z) of glTF is (x, -z, y) here.
@@ -186,10 +187,10 @@ class Reader {
 
  private:
     void readNodes(const Json& numbers, const glm::dmat4& world, int depth) {
-        if (depth > kMaxNodeDepth) fail("its nodes lie too deep in each other, or in themselves");
+        if (depth > kMaxNodeDepth) failGlb("its nodes lie too deep in each other, or in themselves");
         if (!numbers.is_array()) return;
         for (const Json& number : numbers) {
-            if (++nodes_ > kMaxNodes) fail("it has too many nodes; simplify it");
+            if (++nodes_ > kMaxNodes) failGlb("it has too many nodes; simplify it");
             const Json& node = listed(root_, "nodes", number);
             const glm::dmat4 worldFromNode = world * parentFromNode(node);
             const Json& mesh = member(node, "mesh");
@@ -203,20 +204,21 @@ class Reader {
         if (!primitives.is_array()) return;
         for (const Json& primitive : primitives) {
             // A mesh without triangles costs time, too.
-            if (++nodes_ > kMaxNodes) fail("it has too many primitives; simplify it");
+            if (++nodes_ > kMaxNodes) failGlb("it has too many primitives; simplify it");
             const std::size_t mode = sizeIn(primitive, "mode", 4);
-            if (mode >= 4 && mode <= 6) readPrimitive(primitive, static_cast<Mode>(mode), worldFromMesh);
+            if (mode >= 4 && mode <= 6)
+                readPrimitive(primitive, static_cast<PrimitiveMode>(mode), worldFromMesh);
         }
     }
 
-    void readPrimitive(const Json& primitive, Mode mode, const glm::dmat4& worldFromMesh) {
+    void readPrimitive(const Json& primitive, PrimitiveMode mode, const glm::dmat4& worldFromMesh) {
         const Json& attributes = member(primitive, "attributes");
         if (member(attributes, "POSITION").is_null()) return;
-        const Accessor places = accessor(member(attributes, "POSITION"), "VEC3");
+        const GlbAccessor places = accessor(member(attributes, "POSITION"), "VEC3");
         const Json& indices = member(primitive, "indices");
-        const Accessor order =
-            indices.is_null() ? Accessor{{}, 0, places.count, 0} : accessor(indices, "SCALAR");
-        budget_.spend(places.count, mode == Mode::kTriangles ? order.count / 3 : order.count);
+        const GlbAccessor order =
+            indices.is_null() ? GlbAccessor{{}, 0, places.count, 0} : accessor(indices, "SCALAR");
+        budget_.spend(places.count, mode == PrimitiveMode::kTriangles ? order.count / 3 : order.count);
 
         MeshSurface& surface = surfaces_.emplace_back();
         for (std::size_t i = 0; i < places.count; ++i)
@@ -228,12 +230,13 @@ class Reader {
         surface.paint = paintOf(member(primitive, "material"));
     }
 
-    static glm::dvec3 vectorAt(const Accessor& accessor, std::size_t index) {
-        if (accessor.type != kFloatType) fail("its vertices are not of floating point numbers");
+    static glm::dvec3 vectorAt(const GlbAccessor& accessor, std::size_t index) {
+        if (accessor.type != kFloatType) failGlb("its vertices are not of floating point numbers");
         return {accessor.at<float>(index, 0), accessor.at<float>(index, 1), accessor.at<float>(index, 2)};
     }
 
-    static void readNormals(const Accessor& normals, const glm::dmat4& worldFromMesh, MeshSurface& surface) {
+    static void readNormals(const GlbAccessor& normals, const glm::dmat4& worldFromMesh,
+                            MeshSurface& surface) {
         if (normals.count != surface.positionsM.size()) return;
         // The cofactors, which exist also where the inverse does not.
         const glm::dmat3 m(worldFromMesh);
@@ -246,7 +249,7 @@ class Reader {
         }
     }
 
-    static std::uint32_t indexAt(const Accessor& order, std::size_t i) {
+    static std::uint32_t indexAt(const GlbAccessor& order, std::size_t i) {
         switch (order.type) {
             case 0:  // Without indices: one vertex after the other.
                 return static_cast<std::uint32_t>(i);
@@ -257,35 +260,36 @@ class Reader {
             case kIntType:
                 return order.at<std::uint32_t>(i);
             default:
-                fail("its indices are no whole numbers");
+                failGlb("its indices are no whole numbers");
         }
     }
 
-    static void appendTriangles(const Accessor& order, Mode mode, bool isMirrored, MeshSurface& surface) {
-        const std::size_t step = mode == Mode::kTriangles ? 3 : 1;
+    static void appendTriangles(const GlbAccessor& order, PrimitiveMode mode, bool isMirrored,
+                                MeshSurface& surface) {
+        const std::size_t step = mode == PrimitiveMode::kTriangles ? 3 : 1;
         for (std::size_t i = 0; i + 2 < order.count; i += step) {
             // Every second triangle of a strip is wound the other way.
-            const bool isTurned = isMirrored != (mode == Mode::kStrip && i % 2 == 1);
-            std::array<std::uint32_t, 3> triangle{indexAt(order, mode == Mode::kFan ? 0 : i),
+            const bool isTurned = isMirrored != (mode == PrimitiveMode::kStrip && i % 2 == 1);
+            std::array<std::uint32_t, 3> triangle{indexAt(order, mode == PrimitiveMode::kFan ? 0 : i),
                                                   indexAt(order, i + 1), indexAt(order, i + 2)};
             if (isTurned) std::swap(triangle[1], triangle[2]);
             for (const std::uint32_t corner : triangle) {
-                if (corner >= surface.positionsM.size()) fail("a triangle has a corner that is not there");
+                if (corner >= surface.positionsM.size()) failGlb("a triangle has a corner that is not there");
             }
             surface.triangles.push_back(triangle);
         }
     }
 
-    Accessor accessor(const Json& number, const char* shape) const {
+    GlbAccessor accessor(const Json& number, const char* shape) const {
         const Json& json = listed(root_, "accessors", number);
-        if (!member(json, "sparse").is_null()) fail("it has sparse accessors; export it without");
-        if (member(json, "type") != shape) fail("an accessor has another shape than it must");
+        if (!member(json, "sparse").is_null()) failGlb("it has sparse accessors; export it without");
+        if (member(json, "type") != shape) failGlb("an accessor has another shape than it must");
         const Json& view = listed(root_, "bufferViews", member(json, "bufferView"));
         const Json& buffer = listed(root_, "buffers", member(view, "buffer"));
         if (sizeIn(view, "buffer", 0) != 0 || !member(buffer, "uri").is_null())
-            fail("its vertices lie in another file");
+            failGlb("its vertices lie in another file");
 
-        Accessor result;
+        GlbAccessor result;
         result.type = static_cast<std::int64_t>(sizeIn(json, "componentType", 0));
         result.count = sizeIn(json, "count", 0);
         const std::size_t size = componentBytes(result.type) * (std::string_view(shape) == "VEC3" ? 3 : 1);
@@ -297,17 +301,17 @@ class Reader {
         const std::size_t needed = result.count == 0 ? 0 : (result.count - 1) * result.stride + size;
         const bool isInBuffer = viewStart <= buffer_.size() && viewSize <= buffer_.size() - viewStart;
         if (!isInBuffer || start > viewSize || needed > viewSize - start)
-            fail("an accessor reaches past the end of the buffer");
+            failGlb("an accessor reaches past the end of the buffer");
         result.bytes = buffer_.subspan(viewStart + start);
         return result;
     }
 
     /// Larger numbers could not be multiplied.
-    static void requireCountable(const Accessor& accessor) {
+    static void requireCountable(const GlbAccessor& accessor) {
         constexpr std::size_t kMostValues = 4 * kMaxRigTriangles;
         constexpr std::size_t kWidestStride = 1024;
         if (accessor.count > kMostValues || accessor.stride > kWidestStride)
-            fail("an accessor is too large; simplify it");
+            failGlb("an accessor is too large; simplify it");
     }
 
     static std::size_t componentBytes(std::int64_t type) {
@@ -320,7 +324,7 @@ class Reader {
             case kFloatType:
                 return 4;
             default:
-                fail("an accessor has an unknown componentType");
+                failGlb("an accessor has an unknown componentType");
         }
     }
 
@@ -343,7 +347,7 @@ class Reader {
 }  // namespace
 
 std::vector<MeshSurface> readGlb(std::span<const std::uint8_t> bytes) {
-    return Reader(partsOf(bytes)).read();
+    return GlbReader(partsOf(bytes)).read();
 }
 
 }  // namespace hazer::render

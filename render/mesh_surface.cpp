@@ -10,7 +10,7 @@ namespace hazer::render {
 namespace {
 
 /// cos 50 degrees.
-constexpr float kSmoothestEdge = 0.6428f;
+constexpr double kSmoothestEdge = 0.6428;
 /// More corners than this in one place are the tip of a fan, or an attack: these stay flat.
 constexpr std::size_t kMostCornersOfPlace = 64;
 
@@ -18,15 +18,16 @@ bool isFinite(glm::vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-glm::vec3 areaNormal(const MeshSurface& surface, const std::array<std::uint32_t, 3>& triangle) {
-    const glm::vec3 a = surface.positionsM[triangle[0]];
-    return glm::cross(surface.positionsM[triangle[1]] - a, surface.positionsM[triangle[2]] - a);
+/// Products of floats, which neither vanish nor overflow in double.
+glm::dvec3 areaNormal(const MeshSurface& surface, const std::array<std::uint32_t, 3>& triangle) {
+    const glm::dvec3 a(surface.positionsM[triangle[0]]);
+    return glm::cross(glm::dvec3(surface.positionsM[triangle[1]]) - a,
+                      glm::dvec3(surface.positionsM[triangle[2]]) - a);
 }
 
-/// Whether a normal tells a direction.
-bool isDirection(glm::vec3 normal) {
-    const float length = glm::length(normal);
-    return length > 0.0f && std::isfinite(length);
+bool isDirection(const glm::dvec3& normal) {
+    const double length = glm::length(normal);
+    return length > 0.0 && std::isfinite(length);
 }
 
 /// Triangles whose corners are where the others' are share places, also where a file repeats its vertices.
@@ -86,7 +87,8 @@ class Smoother {
         const std::size_t start = starts_[places_[corner]];
         const std::size_t count = starts_[places_[corner] + 1] - start;
         const glm::vec3 positionM = surface_.positionsM[corner];
-        if (count > kMostCornersOfPlace) return emit({positionM, glm::normalize(areaNormals_[triangle])});
+        if (count > kMostCornersOfPlace)
+            return emit({positionM, glm::vec3(glm::normalize(areaNormals_[triangle]))});
         const std::span<const std::uint32_t> around(corners_.data() + start, count);
         const glm::vec3 normal = normalAmong(around, triangle);
         // Corners of one normal in one place are one vertex.
@@ -98,13 +100,13 @@ class Smoother {
     }
 
     glm::vec3 normalAmong(std::span<const std::uint32_t> around, std::uint32_t triangle) const {
-        const glm::vec3 own = glm::normalize(areaNormals_[triangle]);
-        glm::vec3 sum(0.0f);
+        const glm::dvec3 own = glm::normalize(areaNormals_[triangle]);
+        glm::dvec3 sum(0.0);
         for (const std::uint32_t other : around) {
-            const glm::vec3 area = areaNormals_[other];
+            const glm::dvec3& area = areaNormals_[other];
             if (isDirection(area) && glm::dot(own, area) >= kSmoothestEdge * glm::length(area)) sum += area;
         }
-        return isDirection(sum) ? glm::normalize(sum) : own;
+        return glm::vec3(isDirection(sum) ? glm::normalize(sum) : own);
     }
 
     std::uint32_t emit(const Vertex& vertex) {
@@ -115,26 +117,27 @@ class Smoother {
     const MeshSurface& surface_;
     Mesh& mesh_;
     std::size_t placeCount_ = 0;
-    std::vector<std::uint32_t> places_;   // By vertex of the surface.
-    std::vector<glm::vec3> areaNormals_;  // By triangle; as long as twice its area.
-    std::vector<std::uint32_t> starts_;   // By place.
-    std::vector<std::uint32_t> corners_;  // Triangles, sorted by place.
-    std::vector<std::uint32_t> emitted_;  // Beside corners_: vertices that a place has got so far.
+    std::vector<std::uint32_t> places_;    // By vertex of the surface.
+    std::vector<glm::dvec3> areaNormals_;  // By triangle; as long as twice its area.
+    std::vector<std::uint32_t> starts_;    // By place.
+    std::vector<std::uint32_t> corners_;   // Triangles, sorted by place.
+    std::vector<std::uint32_t> emitted_;   // Beside corners_: vertices that a place has got so far.
 };
 
 /// With its own normals, which also tell which side is the front: mirrored parts are wound the other way.
 void appendWithNormals(const MeshSurface& surface, Mesh& mesh) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (std::size_t i = 0; i < surface.positionsM.size(); ++i) {
-        const glm::vec3 normal = surface.normals[i];
+        const glm::dvec3 normal(surface.normals[i]);
         mesh.vertices.push_back(
-            {surface.positionsM[i], isDirection(normal) ? glm::normalize(normal) : glm::vec3(0, 0, 1)});
+            {surface.positionsM[i],
+             glm::vec3(isDirection(normal) ? glm::normalize(normal) : glm::dvec3(0, 0, 1))});
     }
     for (const auto& [a, b, c] : surface.triangles) {
-        const glm::vec3 winding = areaNormal(surface, {a, b, c});
+        const glm::dvec3 winding = areaNormal(surface, {a, b, c});
         if (!isDirection(winding)) continue;
-        const glm::vec3 normal = surface.normals[a] + surface.normals[b] + surface.normals[c];
-        const bool isTurned = glm::dot(winding, normal) < 0.0f;
+        const glm::dvec3 normal(surface.normals[a] + surface.normals[b] + surface.normals[c]);
+        const bool isTurned = glm::dot(winding, normal) < 0.0;
         mesh.indices.insert(mesh.indices.end(),
                             {first + a, first + (isTurned ? c : b), first + (isTurned ? b : c)});
     }

@@ -46,9 +46,8 @@ std::string inspectShow(const InspectOptions& options) {
 
 std::string inspectRig(const InspectOptions& options) {
     const std::vector<std::string> warnings = loadShow(options.file).warnings;
-    const fixtures::MvrArchive archive = fixtures::openMvr(options.file);
-    return options.isJson ? printable(describeRig(archive.scene(), warnings))
-                          : summarizeRig(archive.scene(), warnings);
+    const fixtures::MvrScene scene = fixtures::MvrArchive(options.file).readScene();
+    return options.isJson ? printable(describeRig(scene, warnings)) : summarizeRig(scene, warnings);
 }
 
 std::string inspectFixtureType(const InspectOptions& options) {

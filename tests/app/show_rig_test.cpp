@@ -134,6 +134,45 @@ TEST_F(RigShow, UniverseOneIsSacnOneAndPortAddressZero) {
     EXPECT_NEAR(patch.fixtures()[1].fixture.value("Dimmer").value(), 0.0, 1e-6) << "another universe";
 }
 
+TEST_F(RigShow, PanAndTiltMayBeInverted) {
+    const Show show = showOf(fixtureXml("a", "spot",
+                                        addressXml("1") + "<DMXInvertPan>true</DMXInvertPan>"
+                                                          "<DMXInvertTilt>false</DMXInvertTilt>") +
+                                 fixtureXml("b", "spot", addressXml("1")),
+                             kSpot);
+    EXPECT_THAT(show.warnings, IsEmpty());
+    Patch patch(show);
+    protocol::UniverseSet universes;
+    universes[{Transport::kSacn, 1}].slots.fill(10);
+    patch.decode(universes);
+    const auto value = [&](std::size_t fixture, const char* attribute) {
+        return patch.fixtures()[fixture].fixture.value(attribute).value();
+    };
+    EXPECT_NEAR(value(0, "Pan"), -value(1, "Pan"), 0.01);
+    EXPECT_NEAR(value(0, "Tilt"), value(1, "Tilt"), 1e-9);
+}
+
+TEST_F(RigShow, WhatHangsOnAPartIsThere) {
+    Description bar;
+    bar.geometries =
+        R"(<Geometry Name="Base"><Geometry Name="Hook" Position="{1,0,0,2}{0,1,0,0}{0,0,1,-1}{0,0,0,1}">
+        <Geometry Name="Tip" Position="{1,0,0,0}{0,1,0,3}{0,0,1,0}{0,0,0,1}"/></Geometry></Geometry>)";
+    Files files = kSpot;
+    files.emplace_back("bar.gdtf", descriptionGdtf(bar));
+    const auto child = [](const char* name, const char* position) {
+        return fixtureXml(name, "spot", fmt::format("<ChildPosition>{}</ChildPosition>", position));
+    };
+    const Show show = showOf(R"(<Truss name="t"><GDTFSpec>bar</GDTFSpec><GDTFMode>Mode</GDTFMode>)" +
+                                 matrixXml(0, 0, 5000) + "<ChildList>" + child("a", "Base.Hook") +
+                                 child("b", "hook.tip") + child("c", "Nowhere") + "</ChildList></Truss>",
+                             files);
+    EXPECT_THAT(show.warnings, ElementsAre(HasSubstr("\"c\" hangs on \"Nowhere\"")));
+    ASSERT_THAT(show.fixtures, SizeIs(4));
+    EXPECT_EQ(show.fixtures[1].positionM, glm::dvec3(2.0, 0.0, 4.0));
+    EXPECT_EQ(show.fixtures[2].positionM, glm::dvec3(2.0, 3.0, 4.0));
+    EXPECT_EQ(show.fixtures[3].positionM, glm::dvec3(0.0, 0.0, 5.0));
+}
+
 TEST_F(RigShow, BelongsToAShow) {
     write(fixtureXml("a", "spot", addressXml("1")), kSpot);
     const auto load = [&](const std::string& text) { return loadShow(folder_.write("s.toml", text)); };

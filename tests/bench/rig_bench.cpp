@@ -92,7 +92,7 @@ int main(int argumentCount, char** arguments) {
                                   {"par.gdtf", libraryGdtf("par-rgbw")}});
     const std::filesystem::path file =
         folder.write("rig.mvr", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    const double sceneMs = medianMs(runs, [&] { fixtures::openMvr(file); });
+    const double sceneMs = medianMs(runs, [&] { fixtures::MvrArchive(file).readScene(); });
     const double showMs = medianMs(runs, [&] { app::loadShow(file); });
     const double openMs = medianMs(runs, [&] {
         const app::Show show = app::loadShow(file);

@@ -37,8 +37,9 @@ void check(const MvrScene& scene) {
 }
 
 void readAll(MvrArchive& archive) {
-    check(archive.scene());
-    for (const std::string& name : archive.scene().meshFiles) {
+    const MvrScene scene = archive.readScene();
+    check(scene);
+    for (const std::string& name : scene.meshFiles) {
         const auto entry = archive.find(name, {".3ds", ".glb"});
         if (entry) archive.read(*entry, std::size_t{1} << 20);
     }
