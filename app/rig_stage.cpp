@@ -9,7 +9,7 @@ namespace hazer::app {
 namespace {
 
 /// Enough to see what hangs where; a lit beam is far brighter.
-constexpr float kWorkLightLx = 60.0f;
+constexpr float kWorkLightLx = 200.0f;
 constexpr float kEv100 = 9.0f;
 constexpr double kEyeHeightM = 1.7;
 constexpr double kVerticalFovRad = 0.8;

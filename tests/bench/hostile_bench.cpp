@@ -21,6 +21,7 @@
 #include "render/asset_list.h"
 #include "render/rig_mesh.h"
 #include "tests/bench/hostile_files.h"
+#include "tests/bench/peak_memory.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -64,14 +65,6 @@ void load(const std::filesystem::path& file) {
     }
 }
 
-double peakMib() {
-    std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);) {
-        if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024.0;
-    }
-    return 0.0;
-}
-
 /// In a process of its own: milliseconds of the processor, whatever else is running, mebibytes, and what came
 /// of it.
 void loadAndTell(const std::filesystem::path& file) {
@@ -84,7 +77,7 @@ void loadAndTell(const std::filesystem::path& file) {
         outcome = error.what();
     }
     const double ms = 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    fmt::print("{:.1f} {:.1f} {}\n", ms, peakMib(), outcome);
+    fmt::print("{:.1f} {:.1f} {}\n", ms, bench::peakMib(), outcome);
 }
 
 struct Cost {
