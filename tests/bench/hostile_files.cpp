@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <png.h>
+#include <zlib.h>
 
 #include <cstdint>
 #include <stdexcept>
@@ -132,6 +133,30 @@ std::string lyingPng(std::uint32_t width, std::uint32_t height) {
     }
     // The checksum of the header is that of another one; libpng's readers only warn of some.
     return picture;
+}
+
+std::string packed(const std::string& content) {
+    uLongf size = compressBound(content.size());
+    std::string result(size, '\0');
+    compress2(reinterpret_cast<Bytef*>(result.data()), &size, reinterpret_cast<const Bytef*>(content.data()),
+              content.size(), Z_BEST_COMPRESSION);
+    result.resize(size);
+    return result;
+}
+
+/// A picture of one pixel with a further chunk `count` times.
+std::string pngWith(const std::string& type, const std::string& content, std::size_t count) {
+    constexpr std::size_t kBeforeChunks = 8 + 12 + 13;
+    const auto number = [](std::size_t value) {
+        std::string bytes;
+        for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xFF);
+        return bytes;
+    };
+    const std::string named = type + content;
+    const uLong checksum =
+        crc32(0, reinterpret_cast<const Bytef*>(named.data()), static_cast<uInt>(named.size()));
+    return png(1, false).insert(kBeforeChunks,
+                                repeated(number(content.size()) + named + number(checksum), count));
 }
 
 std::string wheels(int pictures) {
@@ -345,6 +370,11 @@ void appendGdtf(std::vector<HostileFile>& files) {
     files.push_back(
         {"picture_bombs.gdtf",
          [] { return gdtfWithFiles(wheels(60), 60, ".png", "wheels/", std::string(15 * kMiB, '\0')); }});
+    files.push_back(
+        {"text_bombs.gdtf", [] {
+             const std::string text = std::string("k\0\0", 3) + packed(std::string(7 * kMiB, 'a'));
+             return gdtfWithFiles(wheels(1000), 1000, ".png", "wheels/", pngWith("zTXt", text, 20));
+         }});
     files.push_back(
         {"model_bombs.gdtf",
          [] { return gdtfWithFiles(models(60), 60, ".3ds", "models/3ds/", std::string(31 * kMiB, '\0')); }});
