@@ -38,6 +38,9 @@ constexpr double kSoftestEdge = 0.6;
 
 constexpr std::size_t kMostCopies = 64;
 
+/// A picture whose shortest axis is more than this of its longest is not seen to be stretched.
+constexpr double kRoundPicture = 0.95;
+
 /// Copies of a prism whose file has no facets.
 constexpr int kUnknownFacets = 3;
 constexpr double kUnknownFacetShift = 0.7;
@@ -108,6 +111,7 @@ void addBlades(const fixtures::ShaperState& shaper, render::Aperture& aperture) 
 
 /// The share of a beam's light that an oval lets through which is as wide as its field, and `height` as high.
 double lightInOval(const render::Beam& beam, double height) {
+    if (height >= 1.0) return 1.0;
     constexpr int kRings = 64;
     const render::BeamShape shape = render::beamShape(beam);
     const double fieldTangent = std::tan(std::min(shape.fieldHalfAngleRad, kWidestOvalRad));
@@ -123,6 +127,10 @@ double lightInOval(const render::Beam& beam, double height) {
         all += light;
     }
     return inside / all;
+}
+
+double lightInStretch(const render::Beam& beam) {
+    return lightInOval(beam, std::abs(glm::determinant(beam.aperture.stretch)));
 }
 
 /// A beam's own shape takes no light: it comes out in a smaller area.
@@ -194,22 +202,28 @@ std::vector<fixtures::PrismFacet> facetsOf(const fixtures::PrismState& prism) {
     return facets;
 }
 
-/// Lengths of the longest and the shortest axis of the ellipse that a unit circle becomes, and where the
-/// longest points [rad].
-struct Stretch {
-    double longest = 1.0;
-    double shortest = 1.0;
-    double axisRad = 0.0;
+/// What a prism's facet does to the picture besides moving it: scale * picture.
+struct FacetPicture {
+    double scale = 1.0;
+    double narrow = 1.0;      ///< The shortest axis over the longest.
+    glm::dmat2 picture{1.0};  ///< Its longest axis has length 1.
 };
 
-Stretch stretchOf(const glm::dmat3& m) {
+/// By the singular values of the facet's matrix: m = u diag(longest, shortest) v^T.
+FacetPicture pictureThrough(const glm::dmat2& m) {
     const double xx = m[0][0] * m[0][0] + m[1][0] * m[1][0];
     const double yy = m[0][1] * m[0][1] + m[1][1] * m[1][1];
     const double xy = m[0][0] * m[0][1] + m[1][0] * m[1][1];
-    const double middle = 0.5 * (xx + yy);
-    const double apart = std::hypot(0.5 * (xx - yy), xy);
-    return {std::sqrt(middle + apart), std::sqrt(std::max(middle - apart, 0.0)),
-            0.5 * std::atan2(2.0 * xy, xx - yy)};
+    const double longest = std::sqrt(0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), xy));
+    if (!(longest > 1e-3)) return {.scale = 1e-3};
+    const double determinant = glm::determinant(m);
+    const double narrow = std::max(std::abs(determinant) / (longest * longest), render::kNarrowestStretch);
+    const glm::dvec2 u = turned({1.0, 0.0}, 0.5 * std::atan2(2.0 * xy, xx - yy));
+    const glm::dvec2 v = glm::transpose(m) * u / longest;
+    const double hand = determinant < 0.0 ? -1.0 : 1.0;
+    return {longest, narrow,
+            glm::outerProduct(u, v) +
+                hand * narrow * glm::outerProduct(turned(u, 0.5 * kPi), turned(v, 0.5 * kPi))};
 }
 
 /// The turn that brings -Z to a direction by the shortest way.
@@ -236,24 +250,21 @@ void turnImages(double rad, render::Beam& beam) {
 
 render::Beam copyOf(const render::Beam& beam, const fixtures::PrismFacet& facet,
                     const glm::dmat3& copyFromBeam) {
-    const Stretch stretch = stretchOf(copyFromBeam);
-    const double largest = std::max(stretch.longest, 1e-3);
+    const FacetPicture through = pictureThrough(glm::dmat2(copyFromBeam) * beam.aperture.stretch);
     const double fieldTangent = std::tan(0.5 * beam.fieldAngleRad);
     render::Beam copy = beam;
     const glm::dvec2 shift = glm::dvec2(copyFromBeam[2]) * fieldTangent;
     copy.worldFromBeam = beam.worldFromBeam * turnTo(glm::normalize(glm::dvec3(shift, -1.0)));
-    copy.beamAngleRad = scaledAngle(beam.beamAngleRad, largest);
-    copy.fieldAngleRad = scaledAngle(beam.fieldAngleRad, largest);
+    copy.beamAngleRad = scaledAngle(beam.beamAngleRad, through.scale);
+    copy.fieldAngleRad = scaledAngle(beam.fieldAngleRad, through.scale);
     copy.fluxLm = beam.fluxLm * facet.color.Y / 100.0;
-    turnImages(std::atan2(copyFromBeam[0][1] - copyFromBeam[1][0], copyFromBeam[0][0] + copyFromBeam[1][1]),
-               copy);
-    if (stretch.shortest < 0.95 * largest && copy.aperture.shape == render::ApertureShape::kRound) {
-        const double narrow = std::max(stretch.shortest / largest, 0.02);
-        copy.aperture.shape = render::ApertureShape::kOval;
-        copy.aperture.halfSize = {1.0, narrow};
-        copy.aperture.shapeTurnRad = stretch.axisRad;
-        copy.fluxLm /= lightInOval(copy, narrow);
+    if (through.narrow > kRoundPicture && glm::determinant(through.picture) > 0.0) {
+        copy.aperture.stretch = glm::dmat2(1.0);
+        turnImages(std::atan2(through.picture[0].y, through.picture[0].x), copy);
+    } else {
+        copy.aperture.stretch = through.picture;
     }
+    copy.fluxLm *= lightInStretch(beam) / lightInStretch(copy);
     return copy;
 }
 

@@ -29,6 +29,8 @@ struct ApertureEdge {
     bool operator==(const ApertureEdge&) const = default;
 };
 
+inline constexpr double kNarrowestStretch = 0.02;
+
 enum class ApertureShape : std::uint8_t { kRound, kRectangle, kOval };
 
 struct Aperture {
@@ -45,6 +47,9 @@ struct Aperture {
     ApertureEdge split;
     glm::vec3 color{1.0f};
     glm::vec3 beyondColor{1.0f};
+    /// Of all this and of the beam's gobo, as through a cylindrical lens: a place p comes to stretch * p. Its
+    /// longest axis has length 1, its shortest at least kNarrowestStretch.
+    glm::dmat2 stretch{1.0};
 
     bool operator==(const Aperture&) const = default;
 };

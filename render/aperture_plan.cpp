@@ -1,5 +1,7 @@
 #include "render/aperture_plan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -15,6 +17,19 @@ ComposedAperture pictureOf(const Beam& beam) {
 }
 
 }  // namespace
+
+std::vector<ApertureImage> imagesOf(const ComposedAperture& aperture) {
+    std::vector<ApertureImage> images{{aperture.gobo, aperture.rotationRad}};
+    images.insert(images.end(), aperture.aperture.images.begin(), aperture.aperture.images.end());
+    std::erase_if(images, [](const ApertureImage& image) { return image.gobo < 0; });
+    return images;
+}
+
+std::vector<std::string> apertureFeatures(std::size_t images) {
+    std::vector<std::string> features;
+    for (std::size_t i = 0; i < images; ++i) features.push_back(fmt::format("IMAGE_{}", i));
+    return features;
+}
 
 double pictureRotationRad(const Beam& beam) {
     return isRound(beam.aperture) ? beam.goboRotationRad : 0.0;

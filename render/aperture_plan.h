@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "render/aperture.h"
@@ -20,6 +21,12 @@ struct ComposedAperture {
 
     bool operator==(const ComposedAperture&) const = default;
 };
+
+/// The pictures in it, the gobo first.
+std::vector<ApertureImage> imagesOf(const ComposedAperture& aperture);
+
+/// Features of shaders/aperture.frag for so many pictures, 0..5.
+std::vector<std::string> apertureFeatures(std::size_t images);
 
 struct AperturePlan {
     std::vector<ComposedAperture> composed;  ///< Each once; at most kMostComposedApertures.

@@ -298,6 +298,17 @@ std::string whyApertures(const SummaryInputs& in) {
     return reason;
 }
 
+std::vector<std::string> apertureShaders(const SummaryInputs& in) {
+    std::set<std::size_t> counts;
+    for (const ComposedAperture& aperture : in.plan.apertures.composed)
+        counts.insert(imagesOf(aperture).size());
+    std::vector<std::string> names;
+    for (const std::size_t count : counts)
+        names.push_back(shaderName("aperture.frag", apertureFeatures(count)));
+    if (names.empty()) names.emplace_back("aperture.frag");
+    return names;
+}
+
 FramePart apertures(const SummaryInputs& in) {
     FramePart part = named("composed apertures", !in.plan.apertures.composed.empty());
     part.reason = part.needed           ? whyApertures(in)
@@ -306,7 +317,7 @@ FramePart apertures(const SummaryInputs& in) {
                       ? "no lit lamp that is seen has more in its way than a gobo or an iris alone"
                       : "gobos are switched off";
     part.passes = {"apertures"};
-    part.resources.shaders = {"aperture.frag"};
+    part.resources.shaders = apertureShaders(in);
     part.resources.textures = {withMipLevels(texture("aperture", kGoboSize, kGoboSize, kRgba8), kGoboLevels)};
     return part;
 }

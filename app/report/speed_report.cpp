@@ -42,6 +42,8 @@ SpeedReport measureSpeed(Session& session, int frames) {
         const double timeS = startS + frame * kFrameS;
         if (playsDemo) playDemo(session, timeS);
         session.settle();
+        // What turns without end, such as a gobo, turns on.
+        session.patch().step(kFrameS);
         session.setTime(timeS);
     });
     return report;

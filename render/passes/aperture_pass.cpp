@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "render/gl/inventory.h"
 #include "render/gl/texture.h"
@@ -24,35 +25,38 @@ glm::vec2 turnOf(double rad) {
     return glm::vec2(glm::dvec2(std::cos(rad), std::sin(rad)));
 }
 
-std::string element(const char* array, int i) {
+std::string element(const char* array, std::size_t i) {
     return array + ("[" + std::to_string(i) + "]");
 }
 
-void setImages(const gl::Program& program, const ComposedAperture& aperture) {
-    std::vector<ApertureImage> images{{aperture.gobo, aperture.rotationRad}};
-    images.insert(images.end(), aperture.aperture.images.begin(), aperture.aperture.images.end());
-    int count = 0;
-    for (const ApertureImage& image : images) {
-        if (image.gobo < 0) continue;
-        program.set(element("imageDisc", count).c_str(),
+void setImages(const gl::Program& program, const std::vector<ApertureImage>& images) {
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const ApertureImage& image = images[i];
+        program.set(element("imageDisc", i).c_str(),
                     glm::vec4(glm::dvec4(image.center, image.radius, image.gobo)));
-        program.set(element("imageTurn", count).c_str(), turnOf(image.rotationRad));
-        ++count;
+        program.set(element("imageTurn", i).c_str(), turnOf(image.rotationRad));
     }
-    program.set("imageCount", count);
+}
+
+/// What the longest axis of a circle becomes when the stretch is undone: 1 or more.
+double widening(const glm::dmat2& stretch) {
+    return 1.0 / std::max(std::abs(glm::determinant(stretch)), kNarrowestStretch);
 }
 
 void setEdges(const gl::Program& program, const Aperture& aperture) {
-    int count = 0;
+    std::size_t count = 0;
     for (const ApertureEdge& blade : aperture.blades) {
         if (blade.distance < 1.0) program.set(element("blades", count++).c_str(), packed(blade));
     }
-    program.set("bladeCount", count);
+    program.set("bladeCount", static_cast<int>(count));
     // An open iris has no edge that could be soft.
     program.set("irisRadius", aperture.irisRadius < 1.0 ? static_cast<float>(aperture.irisRadius) : 8.0f);
     program.set("shape", shapeNumber(aperture.shape));
     program.set("halfSize", glm::vec2(glm::max(aperture.halfSize, 1e-3)));
     program.set("shapeTurn", turnOf(aperture.shapeTurnRad));
+    const glm::dmat2 unstretched = glm::inverse(aperture.stretch);
+    program.set("unstretched", glm::vec4(glm::dvec4(unstretched[0], unstretched[1])));
+    program.set("widening", static_cast<float>(widening(aperture.stretch)));
     program.set("softness", static_cast<float>(aperture.softness));
     program.set("split", packed(aperture.split));
     program.set("nearColor", aperture.color);
@@ -61,8 +65,15 @@ void setEdges(const gl::Program& program, const Aperture& aperture) {
 
 }  // namespace
 
-AperturePass::AperturePass(const std::filesystem::path& shaderFolder)
-    : program_(shaderFolder, "fullscreen.vert", "aperture.frag") {}
+AperturePass::AperturePass(std::filesystem::path shaderFolder) : shaderFolder_(std::move(shaderFolder)) {}
+
+const gl::Program& AperturePass::variant(std::size_t images) {
+    const auto found = variants_.find(images);
+    if (found != variants_.end()) return found->second;
+    return variants_
+        .try_emplace(images, shaderFolder_, "fullscreen.vert", "aperture.frag", apertureFeatures(images))
+        .first->second;
+}
 
 std::vector<int> AperturePass::placesOf(std::span<const ComposedAperture> apertures) {
     std::vector<int> places(apertures.size(), -1);
@@ -96,11 +107,12 @@ void AperturePass::compose(const ComposedAperture& aperture, GLuint goboTexture)
             glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture_.id(), level);
         }
     }
-    const gl::Program& program = program_.get();
+    const std::vector<ApertureImage> images = imagesOf(aperture);
+    const gl::Program& program = variant(images.size());
     program.use();
     program.set("goboImages", 0);
     program.set("size", static_cast<float>(kGoboSize));
-    setImages(program, aperture);
+    setImages(program, images);
     setEdges(program, aperture.aperture);
     glBindFramebuffer(GL_FRAMEBUFFER, levels_.front().id());
     glViewport(0, 0, kGoboSize, kGoboSize);
@@ -139,7 +151,7 @@ std::vector<int> AperturePass::draw(std::span<const ComposedAperture> apertures,
 }
 
 void AperturePass::list(Resources& resources) const {
-    gl::listProgram(resources, program_);
+    for (const auto& [images, program] : variants_) gl::listProgram(resources, program);
     gl::listTexture(resources, "aperture", GL_TEXTURE_2D, picture_);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,7 +17,7 @@ namespace hazer::render {
 
 class AperturePass {
  public:
-    explicit AperturePass(const std::filesystem::path& shaderFolder);
+    explicit AperturePass(std::filesystem::path shaderFolder);
 
     /// Draws those pictures that did not exist in an earlier frame, with their mip levels, among the gobos.
     /// The layer of each comes back. Leaves another framebuffer and viewport bound.
@@ -25,11 +26,13 @@ class AperturePass {
     void list(Resources& resources) const;
 
  private:
+    const gl::Program& variant(std::size_t images);
     std::vector<int> placesOf(std::span<const ComposedAperture> apertures);
     void compose(const ComposedAperture& aperture, GLuint goboTexture);
     void copyTo(GLuint goboTexture, int layer) const;
 
-    gl::LazyProgram program_;
+    std::filesystem::path shaderFolder_;
+    std::map<std::size_t, gl::Program> variants_;  ///< By how many pictures they look at.
     gl::VertexArray noVertices_;
     gl::Texture picture_;
     std::vector<gl::Framebuffer> levels_;                ///< Of picture_.

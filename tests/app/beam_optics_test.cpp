@@ -243,12 +243,51 @@ TEST_F(Prism, FacetsScaleAndTurnTheImage) {
     EXPECT_EQ(copy.aperture.shape, render::ApertureShape::kRound);
 }
 
-TEST_F(Prism, AStretchingFacetMakesAnOval) {
-    addFacet({{1.0, 0.0, 0.0}, {0.0, 4.0, 0.0}, {0.0, 0.0, 1.0}});
+/// Where a place of the beam's picture lies on the plane at 1 m before the lamp.
+glm::dvec2 shownAt(const render::Beam& copy, const glm::dvec2& place) {
+    return copy.aperture.stretch * place * std::tan(0.5 * copy.fieldAngleRad);
+}
+
+TEST_F(Prism, AFacetThatStretchesStretchesThePicture) {
+    const double s = std::sin(0.4), c = std::cos(0.4);
+    const glm::dmat2 stretch =
+        glm::dmat2(c, s, -s, c) * glm::dmat2(1.0, 0.0, 0.0, 4.0) * glm::dmat2(c, -s, s, c);
+    addFacet(glm::dmat3(stretch));
+    state_.gobos[0].image = image();
     const render::Beam copy = copies()[0];
-    EXPECT_EQ(copy.aperture.shape, render::ApertureShape::kOval);
-    EXPECT_NEAR(copy.aperture.halfSize.y, 0.25, 1e-12);
-    EXPECT_NEAR(std::abs(copy.aperture.shapeTurnRad), 0.5 * kPi, 1e-12);
+    const double field = std::tan(10.0 * kPi / 180.0);
+    EXPECT_NEAR(std::tan(0.5 * copy.fieldAngleRad), 4.0 * field, 1e-12);
+    for (const glm::dvec2 place : {glm::dvec2(1.0, 0.0), {0.0, 1.0}, {0.3, -0.6}})
+        EXPECT_NEAR(glm::distance(shownAt(copy, place), stretch * place * field), 0.0, 1e-12);
+    EXPECT_GT(copy.fluxLm, 10000.0);  // What an aperture takes off is not lost here.
+}
+
+TEST_F(Prism, AMirroringFacetMirrors) {
+    addFacet({{-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}});
+    const render::Beam copy = copies()[0];
+    EXPECT_NEAR(glm::distance(copy.aperture.stretch * glm::dvec2(0.3, 0.5), glm::dvec2(-0.3, 0.5)), 0.0,
+                1e-12);
+    EXPECT_EQ(copy.fluxLm, 10000.0);
+}
+
+TEST_F(Prism, AStretchThatIsUndoneLeavesNothing) {
+    addFacet({{2.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}});
+    state_.prisms[1] = state_.prisms[0];
+    state_.prisms[1].rotationDeg = 90.0;
+    const render::Beam copy = copies()[0];
+    EXPECT_TRUE(isOpen(copy.aperture));
+    EXPECT_NEAR(std::tan(0.5 * copy.fieldAngleRad), 2.0 * std::tan(10.0 * kPi / 180.0), 1e-9);
+    EXPECT_NEAR(copy.fluxLm, 10000.0, 1e-6);
+}
+
+TEST_F(Prism, AFacetWithoutWidthStaysFinite) {
+    for (const double width : {0.0, 1e-9}) addFacet({{width, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}});
+    addFacet({{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}});
+    for (const render::Beam& copy : copies()) {
+        EXPECT_TRUE(std::isfinite(copy.fluxLm));
+        EXPECT_GT(copy.fieldAngleRad, 0.0);
+        EXPECT_GE(std::abs(glm::determinant(copy.aperture.stretch)), 0.99 * render::kNarrowestStretch);
+    }
 }
 
 TEST_F(Prism, TwoPrismsMultiplyAndAreBounded) {

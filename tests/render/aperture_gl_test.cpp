@@ -112,8 +112,8 @@ class ApertureGl : public GlTest {
     }
 
     /// The same light through an aperture and through a gobo that shows what the aperture should be.
-    void expectSame(const Aperture& aperture, const Through& through, const char* what,
-                    bool hasGobo = false) {
+    void expectSame(const Aperture& aperture, const Through& through, const char* what, bool hasGobo = false,
+                    double tolerance = 0.015) {
         Scene scene = lamp();
         Beam& beam = scene.beams.front();
         beam.aperture = aperture;
@@ -131,7 +131,7 @@ class ApertureGl : public GlTest {
             return through(place) * (hasGobo ? quarter(turned(place, -left)) : glm::dvec3(1.0));
         });
         const FloatImage want = drawn(scene);
-        EXPECT_LT(difference(got, want), 0.015) << what;
+        EXPECT_LT(difference(got, want), tolerance) << what;
         beam.gobo = -1;
         EXPECT_GT(difference(drawn(scene), want), 0.1) << what << " does nothing";
     }
@@ -210,6 +210,44 @@ TEST_F(ApertureGl, FurtherWheelsLieOverTheFirst) {
         aperture,
         [](const glm::dvec2& place) { return quarter(turned((place - glm::dvec2(-1.5, 0.3)) / 3.0, -0.3)); },
         "animation disc");
+}
+
+// One shader for each number of pictures.
+TEST_F(ApertureGl, AsManyPicturesAsThereMayBe) {
+    Aperture aperture;
+    const auto turn = [](std::size_t i) { return 0.2 * static_cast<double>(i); };
+    for (std::size_t i = 0; i < aperture.images.size(); ++i) {
+        aperture.images[i] = {gobo_, turn(i + 1), {0.0, 0.0}, 1.0};
+        const auto through = [&](const glm::dvec2& place) {
+            glm::dvec3 light(1.0);
+            for (std::size_t k = 0; k <= i; ++k) light *= quarter(turned(place, -turn(k + 1)));
+            return light;
+        };
+        expectSame(aperture, through, "pictures", i % 2 == 1);
+    }
+}
+
+// As through a cylindrical lens that stretches along a slanted axis, and mirrors.
+TEST_F(ApertureGl, AStretchIsOfAllThatIsInTheWay) {
+    const glm::dmat2 axes(turned({1.0, 0.0}, 0.4), turned({0.0, 1.0}, 0.4));
+    Aperture aperture;
+    aperture.stretch = axes * glm::dmat2(1.0, 0.0, 0.0, -0.4) * glm::transpose(axes);
+    const glm::dmat2 back = glm::inverse(aperture.stretch);
+    // Edges are a texel wide along the shortest axis, which is more along the longest.
+    constexpr double kWiderEdges = 0.03;
+    expectSame(
+        aperture, [&](const glm::dvec2& place) { return grey(glm::length(back * place) < 1.0); }, "field",
+        false, kWiderEdges);
+    aperture.images[0] = {gobo_, 0.3, {0.1, 0.0}, 1.0};
+    aperture.blades[0] = {turned({0.0, -1.0}, 0.3), 0.2};
+    expectSame(
+        aperture,
+        [&](const glm::dvec2& place) {
+            const glm::dvec2 at = back * place;
+            const bool isOpen = glm::dot(turned({0.0, -1.0}, 0.3), at) < 0.2 && glm::length(at) < 1.0;
+            return quarter(turned(at - glm::dvec2(0.1, 0.0), -0.3)) * grey(isOpen);
+        },
+        "gobo and blade", false, kWiderEdges);
 }
 
 // Pictures are kept from frame to frame, and drawn anew where an aperture changes or a gobo comes.
