@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <span>
 
 #include "app/light_color.h"
-#include "render/photometry.h"
+#include "fixtures/color.h"
 
 namespace hazer::app {
 namespace {
@@ -17,21 +18,17 @@ constexpr double kPi = 3.14159265358979323846;
 /// it. No file says how heavy.
 constexpr std::array<double, fixtures::kMaxFrosts> kFrostDeg{8.0, 16.0, 24.0};
 
-/// Of a Gaussian: width at 10 % of the peak, and of the disc that blurs as much, over the width at 50 %.
-constexpr double kTenthOverHalf = 1.8226;
-constexpr double kDiscOverHalf = 1.6986;
-
 /// Middles of neighbouring gobos on a wheel, in radii of their field.
 constexpr double kGoboPitch = 2.2;
 
-/// The part of an animation disk that the beam goes through, in radii of the disk.
-constexpr double kAnimationMiddle = 0.6;
-constexpr double kAnimationRadius = 0.35;
+/// A wheel this close to a slot stands in it, as a share of the way to the next.
+constexpr double kInSlot = 1e-3;
+
+/// Where the beam goes through an animation disk whose file does not say: in radii of the disk.
+constexpr fixtures::AnimationSystem kUsualDisk{{{{0.0, 0.6}, {0.0, 0.6}, {0.0, 0.6}}}, 0.35};
 
 /// A beam shaper spreads an oval this much wider than high.
 constexpr double kMostOval = 0.6;
-
-constexpr double kWidestOvalRad = 1.55;
 
 /// Barn doors stand before the lens: their edges are as soft as this, where those of blades are sharp.
 constexpr double kSoftestEdge = 0.6;
@@ -49,39 +46,62 @@ glm::dvec2 turned(const glm::dvec2& v, double rad) {
     return {std::cos(rad) * v.x - std::sin(rad) * v.y, std::sin(rad) * v.x + std::cos(rad) * v.y};
 }
 
-double rounded(const fixtures::WheelState& wheel) {
-    return wheel.slot - std::round(wheel.slot);
-}
-
 void appendImage(const render::ApertureImage& image, render::Aperture& aperture) {
     const auto free =
         std::ranges::find_if(aperture.images, [](const render::ApertureImage& i) { return i.gobo < 0; });
     if (free != aperture.images.end()) *free = image;
 }
 
+/// A place of a wheel in the beam, counted from 0 and around.
+int goboAt(const fixtures::Wheel& wheel, int slot, const GoboLookup& goboFor) {
+    const int count = static_cast<int>(wheel.slots.size());
+    const auto& image = wheel.slots[static_cast<std::size_t>((slot % count + count) % count)].image;
+    return image == nullptr ? render::kOpenSlot : goboFor(image);
+}
+
+/// Two neighbours of a wheel on their way through the beam.
+render::ApertureImage betweenSlots(const fixtures::GoboState& gobo, const GoboLookup& goboFor) {
+    const double from = std::floor(gobo.slot);
+    const double share = gobo.slot - from;
+    const int slot = static_cast<int>(from) - 1;
+    render::ApertureImage image;
+    image.gobo = goboAt(*gobo.wheel, slot, goboFor);
+    image.rotationRad = glm::radians(gobo.rotationDeg);
+    image.center = {-share * kGoboPitch, 0.0};
+    image.neighbor = goboAt(*gobo.wheel, slot + 1, goboFor);
+    image.toNeighbor = {kGoboPitch, 0.0};
+    return image;
+}
+
 /// A gobo that stands in the middle is the beam's own; what moves through the beam, or lies over another one,
 /// is in its aperture.
 void addGobos(const fixtures::BeamState& state, const GoboLookup& goboFor, render::Beam& beam) {
     for (const fixtures::GoboState& gobo : state.gobos) {
-        if (gobo.image == nullptr) continue;
-        const double rotationRad = glm::radians(gobo.rotationDeg);
-        const double shift = -rounded(gobo) * kGoboPitch;
-        if (beam.gobo < 0 && shift == 0.0) {
+        const bool isBetween = gobo.wheel != nullptr && std::abs(gobo.slot - std::round(gobo.slot)) > kInSlot;
+        if (isBetween) {
+            const render::ApertureImage image = betweenSlots(gobo, goboFor);
+            if (image.gobo != render::kOpenSlot || image.neighbor != render::kOpenSlot)
+                appendImage(image, beam.aperture);
+        } else if (gobo.image == nullptr) {
+            continue;
+        } else if (beam.gobo < 0) {
             beam.gobo = goboFor(gobo.image);
-            beam.goboRotationRad = rotationRad;
+            beam.goboRotationRad = glm::radians(gobo.rotationDeg);
         } else {
-            appendImage({goboFor(gobo.image), rotationRad, {shift, 0.0}, 1.0}, beam.aperture);
+            appendImage({goboFor(gobo.image), glm::radians(gobo.rotationDeg)}, beam.aperture);
         }
     }
 }
 
+/// The beam goes through the disk where the path ends on which it came in.
 void addAnimation(const fixtures::AnimationState& animation, const GoboLookup& goboFor,
                   render::Aperture& aperture) {
     if (animation.image == nullptr || animation.insertion < 0.5) return;
-    appendImage({goboFor(animation.image),
-                 glm::radians(animation.positionDeg),
-                 {-kAnimationMiddle / kAnimationRadius, 0.0},
-                 1.0 / kAnimationRadius},
+    const fixtures::WheelSlot* slot = animation.nearestSlot();
+    const fixtures::AnimationSystem disk = slot != nullptr && slot->animation ? *slot->animation : kUsualDisk;
+    if (!(disk.radius > 0.0)) return;
+    appendImage({goboFor(animation.image), glm::radians(animation.positionDeg), -disk.path[2] / disk.radius,
+                 1.0 / disk.radius},
                 aperture);
 }
 
@@ -96,8 +116,10 @@ render::ApertureEdge bladeEdge(const fixtures::BladeState& blade, const glm::dve
     const glm::dvec2 endA = side * (1.0 - 2.0 * blade.a) + towardsA;
     const glm::dvec2 endB = side * (1.0 - 2.0 * blade.b) - towardsA;
     const glm::dvec2 along = glm::normalize(endA - endB);
-    const glm::dvec2 normal = turned(turned(along, -0.5 * kPi), glm::radians(blade.rotationDeg));
-    return {turned(normal, shaperRad), glm::dot(normal, 0.5 * (endA + endB))};
+    const glm::dvec2 normal = turned(along, -0.5 * kPi);
+    // However a blade is turned, it is out of the beam at 0.
+    return {turned(normal, glm::radians(blade.rotationDeg) + shaperRad),
+            glm::dot(normal, 0.5 * (endA + endB))};
 }
 
 void addBlades(const fixtures::ShaperState& shaper, render::Aperture& aperture) {
@@ -109,44 +131,18 @@ void addBlades(const fixtures::ShaperState& shaper, render::Aperture& aperture) 
     aperture.softness = kSoftestEdge * shaper.softness;
 }
 
-/// The share of a beam's light that an oval lets through which is as wide as its field, and `height` as high.
-double lightInOval(const render::Beam& beam, double height) {
-    if (height >= 1.0) return 1.0;
-    constexpr int kRings = 64;
-    const render::BeamShape shape = render::beamShape(beam);
-    const double fieldTangent = std::tan(std::min(shape.fieldHalfAngleRad, kWidestOvalRad));
-    double inside = 0.0;
-    double all = 0.0;
-    for (int i = 0; i < kRings; ++i) {
-        const double psiRad = shape.cutHalfAngleRad * (i + 0.5) / kRings;
-        const double light = render::relativeIntensity(shape, psiRad) * std::sin(psiRad);
-        const double radius = psiRad < kWidestOvalRad ? std::tan(psiRad) / fieldTangent : 1.0;
-        // Where the ring meets the oval's edge.
-        const double sine = (1.0 / (radius * radius) - 1.0) / (1.0 / (height * height) - 1.0);
-        inside += light * 2.0 / kPi * std::asin(std::sqrt(std::clamp(sine, 0.0, 1.0)));
-        all += light;
-    }
-    return inside / all;
-}
-
-double lightInStretch(const render::Beam& beam) {
-    return lightInOval(beam, std::abs(glm::determinant(beam.aperture.stretch)));
-}
-
-/// A beam's own shape takes no light: it comes out in a smaller area.
 void setShape(const fixtures::BeamState& state, render::Beam& beam) {
-    render::Aperture& aperture = beam.aperture;
     if (state.type == fixtures::BeamType::kRectangle) {
-        aperture.shape = render::ApertureShape::kRectangle;
-        aperture.halfSize = glm::normalize(glm::dvec2(state.rectangleRatio, 1.0));
-        beam.fluxLm *= 0.25 * kPi / (aperture.halfSize.x * aperture.halfSize.y);
-        // As soft as a round beam of these angles is.
-        aperture.softness = std::max(aperture.softness, 1.0 - beam.beamAngleRad / beam.fieldAngleRad);
+        const glm::dvec2 half = glm::normalize(glm::dvec2(state.rectangleRatio, 1.0));
+        // Half the light at the beam angle, none from the field angle on.
+        const double soft = std::clamp(1.0 - beam.beamAngleRad / beam.fieldAngleRad, 0.0, 1.0);
+        beam.aperture.rectangle = {half, 2.0 * soft * std::min(half.x, half.y)};
+        beam.edge = render::BeamEdge::kFlat;
     } else if (state.oval > 0.0) {
-        aperture.shape = render::ApertureShape::kOval;
-        aperture.halfSize = {1.0, 1.0 - kMostOval * std::min(state.oval, 1.0)};
-        aperture.shapeTurnRad = glm::radians(state.ovalAngleDeg);
-        beam.fluxLm /= lightInOval(beam, aperture.halfSize.y);
+        const double turnRad = glm::radians(state.ovalAngleDeg);
+        const glm::dmat2 axes(turned({1.0, 0.0}, turnRad), turned({0.0, 1.0}, turnRad));
+        const double height = 1.0 - kMostOval * std::min(state.oval, 1.0);
+        beam.aperture.stretch = axes * glm::dmat2(1.0, 0.0, 0.0, height) * glm::transpose(axes);
     }
 }
 
@@ -171,18 +167,12 @@ void splitColor(const fixtures::BeamState& state, render::Beam& beam) {
     beam.aperture.beyondColor = glm::vec3(colors[1] / divisor);
 }
 
-/// Scattering adds to the widths as their squares do.
+/// Widths of what scatters one after the other add as their squares do.
 void addFrost(const fixtures::BeamState& state, render::Beam& beam) {
     double squared = 0.0;
     for (std::size_t i = 0; i < kFrostDeg.size(); ++i)
         squared += std::pow(glm::radians(kFrostDeg[i]) * std::clamp(state.frosts[i], 0.0, 1.0), 2.0);
-    if (squared <= 0.0) return;
-    const double scattered = std::sqrt(squared);
-    beam.beamAngleRad = std::hypot(beam.beamAngleRad, scattered);
-    beam.fieldAngleRad =
-        std::max(std::hypot(beam.fieldAngleRad, kTenthOverHalf * scattered), beam.beamAngleRad);
-    beam.edge = render::BeamEdge::kSoft;
-    beam.frostRad = kDiscOverHalf * scattered;
+    beam.frostRad = std::sqrt(squared);
 }
 
 glm::dmat3 turnedFacet(const glm::dmat3& copyFromBeam, double rad) {
@@ -191,15 +181,19 @@ glm::dmat3 turnedFacet(const glm::dmat3& copyFromBeam, double rad) {
     return turn * copyFromBeam * glm::transpose(turn);
 }
 
-std::vector<fixtures::PrismFacet> facetsOf(const fixtures::PrismState& prism) {
-    const fixtures::WheelSlot* slot = prism.nearestSlot();
-    if (slot != nullptr && !slot->facets.empty()) return slot->facets;
+std::vector<fixtures::PrismFacet> unknownFacets() {
     std::vector<fixtures::PrismFacet> facets(kUnknownFacets);
     for (int i = 0; i < kUnknownFacets; ++i) {
         const glm::dvec2 shift = turned({0.0, kUnknownFacetShift}, 2.0 * kPi * i / kUnknownFacets);
         facets[static_cast<std::size_t>(i)].copyFromBeam[2] = glm::dvec3(shift, 1.0);
     }
     return facets;
+}
+
+std::span<const fixtures::PrismFacet> facetsOf(const fixtures::PrismState& prism) {
+    static const std::vector<fixtures::PrismFacet> unknown = unknownFacets();
+    const fixtures::WheelSlot* slot = prism.nearestSlot();
+    return slot != nullptr && !slot->facets.empty() ? slot->facets : unknown;
 }
 
 /// What a prism's facet does to the picture besides moving it: scale * picture.
@@ -236,16 +230,11 @@ double scaledAngle(double fullAngleRad, double factor) {
     return 2.0 * std::atan(factor * std::tan(0.5 * fullAngleRad));
 }
 
-void turnImages(double rad, render::Beam& beam) {
-    beam.goboRotationRad += rad;
-    render::Aperture& aperture = beam.aperture;
-    for (render::ApertureImage& image : aperture.images) {
-        image.rotationRad += rad;
-        image.center = turned(image.center, rad);
-    }
-    for (render::ApertureEdge& blade : aperture.blades) blade.normal = turned(blade.normal, rad);
-    aperture.split.normal = turned(aperture.split.normal, rad);
-    aperture.shapeTurnRad += rad;
+void tint(const fixtures::ColorCie& filter, render::Beam& beam) {
+    const glm::dvec3 light = glm::dvec3(beam.color) * fixtures::transmissionOf(filter);
+    const double share = luminance(light);
+    beam.fluxLm *= std::max(share, 0.0);
+    if (share > 0.0) beam.color = render::Color(light / share);
 }
 
 render::Beam copyOf(const render::Beam& beam, const fixtures::PrismFacet& facet,
@@ -255,31 +244,35 @@ render::Beam copyOf(const render::Beam& beam, const fixtures::PrismFacet& facet,
     render::Beam copy = beam;
     const glm::dvec2 shift = glm::dvec2(copyFromBeam[2]) * fieldTangent;
     copy.worldFromBeam = beam.worldFromBeam * turnTo(glm::normalize(glm::dvec3(shift, -1.0)));
+    if (!copy.lensNormal) copy.lensNormal = -beam.worldFromBeam[2];
     copy.beamAngleRad = scaledAngle(beam.beamAngleRad, through.scale);
     copy.fieldAngleRad = scaledAngle(beam.fieldAngleRad, through.scale);
-    copy.fluxLm = beam.fluxLm * facet.color.Y / 100.0;
-    if (through.narrow > kRoundPicture && glm::determinant(through.picture) > 0.0) {
-        copy.aperture.stretch = glm::dmat2(1.0);
-        turnImages(std::atan2(through.picture[0].y, through.picture[0].x), copy);
+    tint(facet.color, copy);
+    copy.aperture.stretch = glm::dmat2(1.0);
+    const bool onlyTurns = through.narrow > kRoundPicture && glm::determinant(through.picture) > 0.0;
+    if (onlyTurns && isRound(copy.aperture)) {
+        copy.goboRotationRad += std::atan2(through.picture[0].y, through.picture[0].x);
     } else {
         copy.aperture.stretch = through.picture;
     }
-    copy.fluxLm *= lightInStretch(beam) / lightInStretch(copy);
     return copy;
 }
 
-std::vector<render::Beam> throughPrism(const fixtures::PrismState& prism,
-                                       const std::vector<render::Beam>& beams) {
-    std::vector<render::Beam> copies;
-    const std::vector<fixtures::PrismFacet> facets = facetsOf(prism);
-    for (const render::Beam& beam : beams) {
-        for (const fixtures::PrismFacet& facet : facets) {
-            copies.push_back(
-                copyOf(beam, facet, turnedFacet(facet.copyFromBeam, glm::radians(prism.rotationDeg))));
-            copies.back().fluxLm /= static_cast<double>(facets.size());
-        }
+/// Replaces the beams from `first` on by their copies. Of too many, some stand for all.
+void passPrism(const fixtures::PrismState& prism, std::size_t first, std::vector<render::Beam>& beams) {
+    const std::vector<render::Beam> before(beams.begin() + static_cast<std::ptrdiff_t>(first), beams.end());
+    const std::span<const fixtures::PrismFacet> facets = facetsOf(prism);
+    const std::size_t all = before.size() * facets.size();
+    const std::size_t count = std::min(all, kMostCopies);
+    const double turnRad = glm::radians(prism.rotationDeg);
+    beams.resize(first);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t copy = i * all / count;
+        const fixtures::PrismFacet& facet = facets[copy % facets.size()];
+        beams.push_back(
+            copyOf(before[copy / facets.size()], facet, turnedFacet(facet.copyFromBeam, turnRad)));
+        beams.back().fluxLm *= static_cast<double>(before.size()) / static_cast<double>(count);
     }
-    return copies;
 }
 
 }  // namespace
@@ -294,16 +287,13 @@ void applyOptics(const fixtures::BeamState& state, const GoboLookup& goboFor, re
     addFrost(state, beam);
 }
 
-std::vector<render::Beam> throughPrisms(const fixtures::BeamState& state, const render::Beam& beam) {
-    std::vector<render::Beam> beams{beam};
+void appendCopies(const fixtures::BeamState& state, const render::Beam& beam,
+                  std::vector<render::Beam>& beams) {
+    const std::size_t first = beams.size();
+    beams.push_back(beam);
     for (const fixtures::PrismState& prism : state.prisms) {
-        if (prism.insertion < 0.5) continue;
-        beams = throughPrism(prism, beams);
-        if (beams.size() > kMostCopies) beams.resize(kMostCopies);
+        if (prism.insertion >= 0.5) passPrism(prism, first, beams);
     }
-    // One lens, however many copies.
-    for (std::size_t i = 1; i < beams.size(); ++i) beams[i].showsLens = false;
-    return beams;
 }
 
 }  // namespace hazer::app

@@ -14,12 +14,13 @@ namespace hazer::app {
 /// Gives the renderer's handle for a wheel's picture.
 using GoboLookup = std::function<render::GoboId(const std::shared_ptr<const fixtures::WheelImage>&)>;
 
-/// Puts gobos, iris, blades, animation, split colours and the beam's own shape in its way, and widens it by
-/// its frost. The beam must be as the fixture sends it without any of them.
+/// Puts gobos, iris, blades, animation, split colours, the beam's own shape and frost in its way. The beam
+/// must be as the fixture sends it without any of them.
 void applyOptics(const fixtures::BeamState& state, const GoboLookup& goboFor, render::Beam& beam);
 
-/// The copies that the prisms in the beam make of it; the beam itself if there is none. At most 64. A facet
-/// that stretches the image one way makes the beam oval, and leaves its gobos unstretched.
-std::vector<render::Beam> throughPrisms(const fixtures::BeamState& state, const render::Beam& beam);
+/// Appends the copies that the prisms in the beam make of it, at most 64, which have its light between them;
+/// the beam itself if there is no prism.
+void appendCopies(const fixtures::BeamState& state, const render::Beam& beam,
+                  std::vector<render::Beam>& beams);
 
 }  // namespace hazer::app

@@ -157,7 +157,7 @@ void Rig::append(const fixtures::FixtureState& state, render::Scene& scene) {
         if (!beam) continue;
         applyOptics(
             lamp, [this](const auto& image) { return goboFor(image); }, *beam);
-        for (const render::Beam& copy : throughPrisms(lamp, *beam)) scene.beams.push_back(copy);
+        appendCopies(lamp, *beam, scene.beams);
     }
     for (const fixtures::PartState& part : state.parts) {
         if (part.model != nullptr) appendPart(part, scene);

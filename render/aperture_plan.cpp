@@ -3,17 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+
+#include "render/photometry.h"
 
 namespace hazer::render {
 namespace {
 
-bool needsPicture(const Beam& beam) {
-    return !isOpen(beam.aperture) && !(beam.gobo < 0 && isIrisOnly(beam.aperture));
-}
-
 ComposedAperture pictureOf(const Beam& beam) {
-    return {beam.gobo, beam.goboRotationRad - pictureRotationRad(beam), beam.aperture};
+    ComposedAperture picture;
+    picture.gobo = beam.gobo;
+    picture.rotationRad = beam.goboRotationRad - pictureRotationRad(beam);
+    picture.aperture = beam.aperture;
+    const BeamShape open = openShape(beam);
+    const double fieldTangent = std::tan(open.fieldHalfAngleRad);
+    picture.fieldRadius = fieldTangent / std::tan(beamShape(beam).pictureHalfAngleRad);
+    if (hasProfileInPicture(beam)) picture.profile = {fieldTangent, open.beamHalfAngleRad, open.exponent};
+    return picture;
 }
 
 }  // namespace
@@ -21,14 +28,21 @@ ComposedAperture pictureOf(const Beam& beam) {
 std::vector<ApertureImage> imagesOf(const ComposedAperture& aperture) {
     std::vector<ApertureImage> images{{aperture.gobo, aperture.rotationRad}};
     images.insert(images.end(), aperture.aperture.images.begin(), aperture.aperture.images.end());
-    std::erase_if(images, [](const ApertureImage& image) { return image.gobo < 0; });
+    std::erase_if(images, [](const ApertureImage& image) { return image.gobo == -1; });
     return images;
 }
 
-std::vector<std::string> apertureFeatures(std::size_t images) {
+std::vector<std::string> apertureFeatures(const ComposedAperture& aperture) {
     std::vector<std::string> features;
-    for (std::size_t i = 0; i < images; ++i) features.push_back(fmt::format("IMAGE_{}", i));
+    for (std::size_t i = 0; i < imagesOf(aperture).size(); ++i)
+        features.push_back(fmt::format("IMAGE_{}", i));
+    if (aperture.profile && aperture.profile->exponent > 0.0) features.emplace_back("PROFILE");
     return features;
+}
+
+bool hasGate(const ComposedAperture& aperture) {
+    const bool endsFlat = aperture.profile && aperture.profile->exponent == 0.0;
+    return endsFlat || !imagesOf(aperture).empty();
 }
 
 double pictureRotationRad(const Beam& beam) {

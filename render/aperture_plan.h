@@ -1,6 +1,7 @@
 // Which pictures a frame has to compose of apertures. Pure: no OpenGL.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,11 +14,22 @@ namespace hazer::render {
 /// Bounds the memory of composed pictures: 1.4 MB each.
 inline constexpr int kMostComposedApertures = 64;
 
+/// A beam's profile where it is part of the picture.
+struct PictureProfile {
+    double fieldTangent = 0.0;      ///< Of half the field angle.
+    double beamHalfAngleRad = 0.0;  ///< Where it is 50 %.
+    double exponent = 0.0;          ///< Of the super-Gaussian; 0: flat, up to the field.
+
+    bool operator==(const PictureProfile&) const = default;
+};
+
 /// A picture to compose: all that stands in the way of a beam, its first gobo included.
 struct ComposedAperture {
     GoboId gobo = -1;
     double rotationRad = 0.0;  ///< Of that gobo.
     Aperture aperture;
+    double fieldRadius = 1.0;  ///< Of the beam's field on the picture, whose disc has radius 1.
+    std::optional<PictureProfile> profile;
 
     bool operator==(const ComposedAperture&) const = default;
 };
@@ -25,8 +37,11 @@ struct ComposedAperture {
 /// The pictures in it, the gobo first.
 std::vector<ApertureImage> imagesOf(const ComposedAperture& aperture);
 
-/// Features of shaders/aperture.frag for so many pictures, 0..5.
-std::vector<std::string> apertureFeatures(std::size_t images);
+/// Features of shaders/aperture.frag that it takes.
+std::vector<std::string> apertureFeatures(const ComposedAperture& aperture);
+
+/// Is light cut off at the field's edge? Where there are pictures, there is a gate that holds them.
+bool hasGate(const ComposedAperture& aperture);
 
 struct AperturePlan {
     std::vector<ComposedAperture> composed;  ///< Each once; at most kMostComposedApertures.

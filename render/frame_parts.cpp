@@ -275,8 +275,9 @@ FramePart gobos(const SummaryInputs& in) {
     } else if (count == 0) {
         part.reason = "no lit lamp has a gobo";
     } else {
-        part.reason = in.settings.gobos ? "there is neither light in the air nor a body to see a gobo on"
-                                        : "gobos are switched off";
+        part.reason = in.settings.gobos
+                          ? "there is neither light in the air nor a body or lens to see a gobo on"
+                          : "gobos are switched off";
     }
     part.features = featureDefines(kFeatureGobo);
     part.resources.textures = {withMipLevels(
@@ -299,14 +300,11 @@ std::string whyApertures(const SummaryInputs& in) {
 }
 
 std::vector<std::string> apertureShaders(const SummaryInputs& in) {
-    std::set<std::size_t> counts;
+    std::set<std::string> names;
     for (const ComposedAperture& aperture : in.plan.apertures.composed)
-        counts.insert(imagesOf(aperture).size());
-    std::vector<std::string> names;
-    for (const std::size_t count : counts)
-        names.push_back(shaderName("aperture.frag", apertureFeatures(count)));
-    if (names.empty()) names.emplace_back("aperture.frag");
-    return names;
+        names.insert(shaderName("aperture.frag", apertureFeatures(aperture)));
+    if (names.empty()) names.insert("aperture.frag");
+    return {names.begin(), names.end()};
 }
 
 FramePart apertures(const SummaryInputs& in) {

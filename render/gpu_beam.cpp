@@ -6,6 +6,12 @@
 #include "render/camera.h"
 
 namespace hazer::render {
+namespace {
+
+/// Diameter of the disc that has a Gaussian's variance, over the Gaussian's width at half its peak.
+constexpr double kDiscOverHalf = 1.6986;
+
+}  // namespace
 
 glm::dvec3 apexPosition(const Beam& beam, const BeamShape& shape) {
     return beam.lensPositionM + beam.worldFromBeam * glm::dvec3(0.0, 0.0, shape.apexToLensM);
@@ -24,9 +30,9 @@ GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera,
         glm::vec4(beam.color * static_cast<float>(shape.peakCd), static_cast<float>(shape.apexToLensM));
     gpu.cone = glm::vec4(glm::dvec4(std::cos(shape.cutHalfAngleRad), std::sin(shape.cutHalfAngleRad),
                                     shape.beamHalfAngleRad, shape.exponent));
-    const double tanField = std::tan(shape.fieldHalfAngleRad);
-    gpu.gobo = glm::vec4(glm::dvec4(picture.layer, std::cos(picture.rotationRad) / tanField,
-                                    std::sin(picture.rotationRad) / tanField,
+    const double tanPicture = std::tan(shape.pictureHalfAngleRad);
+    gpu.gobo = glm::vec4(glm::dvec4(picture.layer, std::cos(picture.rotationRad) / tanPicture,
+                                    std::sin(picture.rotationRad) / tanPicture,
                                     beam.focusDistanceM > 0.0 ? 1.0 / beam.focusDistanceM : -1.0));
     gpu.shadow =
         glm::vec4(glm::dvec4(shadow.firstFace, shadow.reach.nearM, shadow.reach.farM, shadow.reach.deepM));
@@ -36,7 +42,7 @@ GpuBeam packBeam(const Beam& beam, const BeamShape& shape, const Camera& camera,
                      ? static_cast<float>(2 * goboTable.firstLayer + (goboTable.layers == 3 ? 1 : 0))
                      : -1.0f;
     gpu.lens.y =
-        picture.layer >= 0 ? static_cast<float>(std::tan(std::clamp(beam.frostRad, 0.0, 1.5))) : -1.0f;
+        picture.layer >= 0 ? static_cast<float>(kDiscOverHalf * std::max(beam.frostRad, 0.0)) : -1.0f;
     return gpu;
 }
 

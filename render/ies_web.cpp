@@ -186,6 +186,7 @@ BeamShape webShape(const Beam& beam, const IesWeb& web) {
     BeamShape shape;
     shape.beamHalfAngleRad = web.beamHalfAngleRad;
     shape.fieldHalfAngleRad = web.fieldHalfAngleRad;
+    shape.pictureHalfAngleRad = web.fieldHalfAngleRad;
     shape.cutHalfAngleRad = web.cutHalfAngleRad;
     // A lamp that shines all around has no lens plane to speak of.
     if (web.cutHalfAngleRad < 0.5 * kPi) {

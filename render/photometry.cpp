@@ -43,6 +43,63 @@ void closeIris(double radius, BeamShape& shape) {
     if (shape.exponent == 0.0) shape.beamHalfAngleRad = shape.cutHalfAngleRad;
 }
 
+/// All of the shape but its peak.
+BeamShape profileShape(const Beam& beam, double beamAngleRad, double fieldAngleRad, BeamEdge kind) {
+    BeamShape shape;
+    const bool hasPlane = beam.gobo >= 0 || !isOpen(beam.aperture);
+    const double field =
+        std::clamp(fieldAngleRad, kNarrowestFieldRad, hasPlane ? kWidestGoboFieldRad : kWidestFieldRad);
+    const double edge = std::clamp(beamAngleRad, 0.02 * field, field);
+    shape.fieldHalfAngleRad = 0.5 * field;
+    shape.pictureHalfAngleRad = shape.fieldHalfAngleRad;
+    shape.cutHalfAngleRad = shape.fieldHalfAngleRad;
+    shape.beamHalfAngleRad = shape.fieldHalfAngleRad;
+    if (kind == BeamEdge::kSoft && edge < 0.999 * field) {
+        const double exponent = std::log(std::log(10.0) / std::log(2.0)) / std::log(field / edge);
+        shape.exponent = std::clamp(exponent, kMinExponent, kMaxExponent);
+        shape.beamHalfAngleRad = 0.5 * edge;
+        const double cut = std::pow(-std::log2(glsl::Formulas<double>().PROFILE_CUT), 1.0 / shape.exponent);
+        shape.cutHalfAngleRad = std::min(shape.beamHalfAngleRad * cut, widestCut(shape.fieldHalfAngleRad));
+    }
+    shape.apexToLensM = std::max(beam.lensRadiusM, 0.0) * apexPerRadius(shape.fieldHalfAngleRad);
+    return shape;
+}
+
+/// The solid angle weighted by the profile after a stretch, over that before it. On the plane before the lamp
+/// the stretch takes its determinant; a solid angle there is cos^3 of an area.
+double stretchedShare(const BeamShape& shape, const glm::dmat2& stretch) {
+    if (stretch == glm::dmat2(1.0)) return 1.0;
+    constexpr int kRings = 32;
+    constexpr int kTurns = 16;
+    const double area = std::max(std::abs(glm::determinant(stretch)), kNarrowestStretch);
+    double before = 0.0;
+    double after = 0.0;
+    for (int ring = 0; ring < kRings; ++ring) {
+        const double psi = shape.cutHalfAngleRad * (ring + 0.5) / kRings;
+        const double light = relativeIntensity(shape, psi);
+        const double tangent = std::tan(psi);
+        before += kTurns * light * std::sin(psi);
+        for (int turn = 0; turn < kTurns; ++turn) {
+            const double phi = 2.0 * kPi * turn / kTurns;
+            const glm::dvec2 place = tangent * (stretch * glm::dvec2(std::cos(phi), std::sin(phi)));
+            after += light * area * tangent * (1.0 + tangent * tangent) /
+                     std::pow(1.0 + glm::dot(place, place), 1.5);
+        }
+    }
+    return after / before;
+}
+
+/// Widths at half and at a tenth of the peak grow as those of Gaussians that are convolved; the flux stays.
+BeamShape frostedShape(const Beam& beam, const BeamShape& open) {
+    constexpr double kTenthOverHalf = 1.8226;
+    const double beamAngle = std::hypot(beam.beamAngleRad, beam.frostRad);
+    const double fieldAngle =
+        std::max(std::hypot(beam.fieldAngleRad, kTenthOverHalf * beam.frostRad), beamAngle);
+    BeamShape shape = profileShape(beam, beamAngle, fieldAngle, BeamEdge::kSoft);
+    shape.peakCd = open.peakCd * profileSolidAngle(open) / profileSolidAngle(shape);
+    return shape;
+}
+
 }  // namespace
 
 double relativeIntensity(const BeamShape& shape, double psiRad) {
@@ -70,27 +127,45 @@ double profileSolidAngle(const BeamShape& shape) {
     return 2.0 * kPi * sum * piece;
 }
 
-BeamShape beamShape(const Beam& beam) {
-    BeamShape shape;
-    const bool hasPlane = beam.gobo >= 0 || !isOpen(beam.aperture);
-    const double field =
-        std::clamp(beam.fieldAngleRad, kNarrowestFieldRad, hasPlane ? kWidestGoboFieldRad : kWidestFieldRad);
-    const double edge = std::clamp(beam.beamAngleRad, 0.02 * field, field);
-    shape.fieldHalfAngleRad = 0.5 * field;
-    shape.cutHalfAngleRad = shape.fieldHalfAngleRad;
-    shape.beamHalfAngleRad = shape.fieldHalfAngleRad;
-    if (beam.edge == BeamEdge::kSoft && edge < 0.999 * field) {
-        const double exponent = std::log(std::log(10.0) / std::log(2.0)) / std::log(field / edge);
-        shape.exponent = std::clamp(exponent, kMinExponent, kMaxExponent);
-        shape.beamHalfAngleRad = 0.5 * edge;
-        const double cut = std::pow(-std::log2(glsl::Formulas<double>().PROFILE_CUT), 1.0 / shape.exponent);
-        shape.cutHalfAngleRad = std::min(shape.beamHalfAngleRad * cut, widestCut(shape.fieldHalfAngleRad));
-    }
-    shape.apexToLensM = std::max(beam.lensRadiusM, 0.0) * apexPerRadius(shape.fieldHalfAngleRad);
+bool needsPicture(const Beam& beam) {
+    if (isOpen(beam.aperture)) return beam.gobo >= 0 && beam.frostRad > 0.0;
+    return beam.gobo >= 0 || beam.frostRad > 0.0 || !isIrisOnly(beam.aperture);
+}
+
+bool hasProfileInPicture(const Beam& beam) {
+    constexpr double kTurnAlone = 0.999;
+    return beam.frostRad > 0.0 || std::abs(glm::determinant(beam.aperture.stretch)) < kTurnAlone;
+}
+
+BeamShape openShape(const Beam& beam) {
+    BeamShape shape = profileShape(beam, beam.beamAngleRad, beam.fieldAngleRad, beam.edge);
     shape.peakCd =
         beam.intensityCd > 0.0 ? beam.intensityCd : std::max(beam.fluxLm, 0.0) / profileSolidAngle(shape);
-    if (beam.gobo < 0 && isIrisOnly(beam.aperture)) closeIris(beam.aperture.irisRadius, shape);
     return shape;
+}
+
+BeamShape beamShape(const Beam& beam, bool isComposed) {
+    const BeamShape open = openShape(beam);
+    BeamShape shape = beam.frostRad > 0.0 ? frostedShape(beam, open) : open;
+    if (!isComposed) {
+        if (beam.aperture.irisRadius < 1.0) closeIris(beam.aperture.irisRadius, shape);
+        return shape;
+    }
+    shape.peakCd =
+        open.peakCd / (stretchedShare(open, beam.aperture.stretch) * rectangleShare(beam.aperture));
+    const bool hasGate = beam.gobo >= 0 || hasImages(beam.aperture);
+    const bool isFlat = hasProfileInPicture(beam);
+    if (isFlat || !hasGate)
+        shape.pictureHalfAngleRad = std::min(shape.cutHalfAngleRad, 0.5 * kWidestGoboFieldRad);
+    if (isFlat) {
+        shape.exponent = 0.0;
+        shape.cutHalfAngleRad = shape.beamHalfAngleRad = shape.pictureHalfAngleRad;
+    }
+    return shape;
+}
+
+BeamShape beamShape(const Beam& beam) {
+    return beamShape(beam, needsPicture(beam));
 }
 
 }  // namespace hazer::render

@@ -248,7 +248,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     if (!plan.surfaces) r.pass("background", [&] { r.drawBackground(scene); });
     const std::vector<GoboTableSlot> goboTables =
         r.gobos.tables(goboTableKeys(scene, settings, plan), settings.waitForTables);
-    const std::vector<GpuBeam> beams = packBeams(scene, plan, camera, composedLayers, goboTables);
+    const std::vector<GpuBeam> beams = packBeams(scene, plan, camera, settings, composedLayers, goboTables);
     const LightInputs lights{scene,
                              camera,
                              settings,

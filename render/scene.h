@@ -30,18 +30,21 @@ struct Beam {
     double lensRadiusM = 0.05;   ///< 0: a point source.
     double beamAngleRad = 0.3;   ///< Full angle at 50 % of the peak; at most fieldAngleRad.
     double fieldAngleRad = 0.4;  ///< Full angle at 10 % of the peak, for kFlat of the cone; (0, 6.2].
-    double fluxLm = 0.0;  ///< Luminous flux that leaves the lens without gobo; luminance of `color` is 1.
+    double fluxLm = 0.0;       ///< Luminous flux that leaves the lens without gobo, iris, blades and further
+                               ///< pictures; luminance of `color` is 1.
     double intensityCd = 0.0;  ///< Peak as seen from the virtual apex; above 0 it stands in for fluxLm.
     Color color{1.0f};         ///< Luminance (0.2627 R + 0.6780 G + 0.0593 B) of 1 unless black.
     BeamEdge edge = BeamEdge::kSoft;
     GoboId gobo = -1;
     double goboRotationRad = 0.0;  ///< Counter-clockwise, looking along the beam from the lens.
     double focusDistanceM = 0.0;   ///< Distance from the lens where the gobo is sharp; 0: sharp everywhere.
-    double frostRad = 0.0;  ///< Angle over which frost blurs the gobo and what else is in the aperture.
+    double frostRad = 0.0;  ///< Width at half the peak of the Gaussian that frost scatters light into, full
+                            ///< angle, 0..1. The angles above are those without frost.
     Aperture aperture;      ///< What stands in the beam's way besides the gobo.
     WebId web = -1;         ///< Photometric web that replaces the edge's profile; -1: none.
     bool castsShadow = true;
-    bool showsLens = true;  ///< The lens itself is drawn.
+    bool showsLens = true;                 ///< The lens itself is drawn.
+    std::optional<glm::dvec3> lensNormal;  ///< Where the lens faces, world, length 1; else along the beam.
 
     bool operator==(const Beam&) const = default;
 };

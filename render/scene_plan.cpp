@@ -57,8 +57,8 @@ std::vector<LightFeatures> variantsWithout(LightFeatures never) {
     return variants;
 }
 
-BeamShape shapeOf(const Beam& beam, std::span<const IesWeb> webs) {
-    if (beam.web < 0) return beamShape(beam);
+BeamShape shapeOf(const Beam& beam, std::span<const IesWeb> webs, bool isComposed) {
+    if (beam.web < 0) return beamShape(beam, isComposed);
     const auto web = static_cast<std::size_t>(beam.web);
     assert(web < webs.size());
     return webShape(beam, webs[web]);
@@ -111,16 +111,20 @@ std::vector<BeamGroup> groupBeams(const std::vector<int>& lit, const std::vector
     return list;
 }
 
-/// Lit lenses that are to be seen. All they ask is where the intensity comes from.
-std::vector<BeamGroup> groupLenses(const Scene& scene, const std::vector<int>& lit) {
+/// Lit lenses that are to be seen.
+std::vector<int> seenLenses(const Scene& scene, const std::vector<int>& lit) {
     std::vector<int> seen;
-    std::vector<LightFeatures> features(scene.beams.size(), 0);
-    for (const int index : lit) {
+    std::ranges::copy_if(lit, std::back_inserter(seen), [&scene](int index) {
         const Beam& beam = scene.beams[static_cast<std::size_t>(index)];
-        if (beam.showsLens && beam.lensRadiusM > 0.0) seen.push_back(index);
-        if (beam.web >= 0) features[static_cast<std::size_t>(index)] = kFeatureWeb;
-    }
-    return groupBeams(seen, features);
+        return beam.showsLens && beam.lensRadiusM > 0.0;
+    });
+    return seen;
+}
+
+/// All that lenses ask is where the intensity comes from.
+std::vector<BeamGroup> groupLenses(const std::vector<int>& lenses, std::vector<LightFeatures> features) {
+    for (LightFeatures& feature : features) feature &= kFeatureWeb | kFeatureGobo;
+    return groupBeams(lenses, features);
 }
 
 /// Fills the plan's part of shadows, and what the beams reach.
@@ -208,7 +212,7 @@ ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& se
     ScenePlan plan;
     for (std::size_t i = 0; i < scene.beams.size(); ++i) {
         const Beam& beam = scene.beams[i];
-        plan.shapes.push_back(shapeOf(beam, webs));
+        plan.shapes.push_back(shapeOf(beam, webs, settings.gobos && needsPicture(beam)));
         const float brightest = std::max({beam.color.r, beam.color.g, beam.color.b});
         if (plan.shapes.back().peakCd > 0.0 && brightest > 0.0f) plan.lit.push_back(static_cast<int>(i));
     }
@@ -216,10 +220,14 @@ ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& se
     plan.haze = hazeToIntegrate(scene.haze);
     plan.air = !plan.lit.empty() && plan.haze.scatteringPerM > 0.0f;
     plan.bloom = settings.bloom;
-    plan.lenses = groupLenses(scene, plan.lit);
+    const std::vector<int> lenses = seenLenses(scene, plan.lit);
     planShadowsOf(scene, camera, settings, plan.lit, meshBounds, plan);
     const std::vector<int> onSurfaces = beamsOnSurfaces(plan);
-    plan.apertures = planApertures(scene, plan.air ? plan.lit : onSurfaces, settings);
+    plan.apertures = planApertures(scene, plan.air || !lenses.empty() ? plan.lit : onSurfaces, settings);
+    for (const int beam : plan.apertures.leftOut) {
+        const auto index = static_cast<std::size_t>(beam);
+        plan.shapes[index] = shapeOf(scene.beams[index], webs, false);
+    }
 
     std::vector<LightFeatures> features(scene.beams.size(), 0);
     for (const int beam : plan.lit) {
@@ -227,6 +235,7 @@ ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& se
         features[index] =
             featuresOf(scene.beams[index], plan.shapes[index], plan.apertures.ofBeam[index] >= 0, settings);
     }
+    plan.lenses = groupLenses(lenses, features);
     for (const ShadowMapPlan& map : plan.shadowMaps) {
         features[static_cast<std::size_t>(map.beam)] |= kFeatureShadow | (map.isWide ? kFeatureWide : 0u);
     }

@@ -77,11 +77,12 @@ glm::dvec3 throughGobo(const Lamp& lamp, const GoboPicture& gobo, const glm::dve
     // The picture is turned counter-clockwise as seen along the beam, so the place turns back.
     const glm::dvec2 place(std::cos(turn) * seen.x + std::sin(turn) * seen.y,
                            std::cos(turn) * seen.y - std::sin(turn) * seen.x);
+    // What blurs as a disc does is looked at in squares as wide as its radius.
     double blur = footprintM / axialM;
     if (lamp.beam.focusDistanceM > 0.0) {
         const double fromLensM = std::max(axialM - lamp.shape.apexToLensM, 1e-3);
         blur = std::max(
-            blur, 2.0 * lamp.beam.lensRadiusM * std::abs(1.0 / fromLensM - 1.0 / lamp.beam.focusDistanceM));
+            blur, lamp.beam.lensRadiusM * std::abs(1.0 / fromLensM - 1.0 / lamp.beam.focusDistanceM));
     }
     return gobo.transmission(place, 0.5 * blur / fieldTangent * gobo.size());
 }

@@ -12,10 +12,8 @@
 namespace hazer::render {
 namespace {
 
-/// SHAPES of shaders/aperture.frag.
-int shapeNumber(ApertureShape shape) {
-    return shape == ApertureShape::kRectangle ? 1 : shape == ApertureShape::kOval ? 2 : 0;
-}
+/// A radius that is out of the picture, whatever it is scaled by.
+constexpr float kOutOfTheWay = 1e3f;
 
 glm::vec3 packed(const ApertureEdge& edge) {
     return glm::vec3(glm::dvec3(edge.normal, edge.distance));
@@ -29,18 +27,36 @@ std::string element(const char* array, std::size_t i) {
     return array + ("[" + std::to_string(i) + "]");
 }
 
+/// The layer of a place of a wheel; open ones have none.
+double layerOf(int gobo) {
+    return std::max(gobo, -1);
+}
+
 void setImages(const gl::Program& program, const std::vector<ApertureImage>& images) {
     for (std::size_t i = 0; i < images.size(); ++i) {
         const ApertureImage& image = images[i];
+        const bool hasNeighbor = image.neighbor != -1;
+        const glm::dvec2 toNeighbor = hasNeighbor ? image.toNeighbor : glm::dvec2(kOutOfTheWay);
         program.set(element("imageDisc", i).c_str(),
-                    glm::vec4(glm::dvec4(image.center, image.radius, image.gobo)));
+                    glm::vec4(glm::dvec4(image.center, image.radius, layerOf(image.gobo))));
         program.set(element("imageTurn", i).c_str(), turnOf(image.rotationRad));
+        program.set(element("imageNeighbor", i).c_str(),
+                    glm::vec3(glm::dvec3(toNeighbor, layerOf(image.neighbor))));
     }
 }
 
-/// What the longest axis of a circle becomes when the stretch is undone: 1 or more.
-double widening(const glm::dmat2& stretch) {
-    return 1.0 / std::max(std::abs(glm::determinant(stretch)), kNarrowestStretch);
+/// From places on the picture to those of the aperture.
+void setPlaces(const gl::Program& program, const ComposedAperture& aperture) {
+    const glm::dmat2 onField = glm::inverse(aperture.aperture.stretch) / aperture.fieldRadius;
+    program.set("onField", glm::vec4(glm::dvec4(onField[0], onField[1])));
+    const double shortest =
+        std::max(std::abs(glm::determinant(aperture.aperture.stretch)), kNarrowestStretch);
+    program.set("widening", static_cast<float>(1.0 / (shortest * aperture.fieldRadius)));
+    program.set("gateRadius", hasGate(aperture) ? 1.0f : kOutOfTheWay);
+    if (aperture.profile)
+        program.set("profile",
+                    glm::vec3(glm::dvec3(aperture.profile->fieldTangent, aperture.profile->beamHalfAngleRad,
+                                         aperture.profile->exponent)));
 }
 
 void setEdges(const gl::Program& program, const Aperture& aperture) {
@@ -50,13 +66,14 @@ void setEdges(const gl::Program& program, const Aperture& aperture) {
     }
     program.set("bladeCount", static_cast<int>(count));
     // An open iris has no edge that could be soft.
-    program.set("irisRadius", aperture.irisRadius < 1.0 ? static_cast<float>(aperture.irisRadius) : 8.0f);
-    program.set("shape", shapeNumber(aperture.shape));
-    program.set("halfSize", glm::vec2(glm::max(aperture.halfSize, 1e-3)));
-    program.set("shapeTurn", turnOf(aperture.shapeTurnRad));
-    const glm::dmat2 unstretched = glm::inverse(aperture.stretch);
-    program.set("unstretched", glm::vec4(glm::dvec4(unstretched[0], unstretched[1])));
-    program.set("widening", static_cast<float>(widening(aperture.stretch)));
+    program.set("irisRadius",
+                aperture.irisRadius < 1.0 ? static_cast<float>(aperture.irisRadius) : kOutOfTheWay);
+    glm::dvec3 rectangle(kOutOfTheWay, kOutOfTheWay, 0.0);
+    if (aperture.rectangle) {
+        const double ramp = aperture.rectangle->softness;
+        rectangle = glm::dvec3(glm::max(aperture.rectangle->halfSize - 0.5 * ramp, 1e-3), ramp);
+    }
+    program.set("rectangle", glm::vec3(rectangle));
     program.set("softness", static_cast<float>(aperture.softness));
     program.set("split", packed(aperture.split));
     program.set("nearColor", aperture.color);
@@ -67,11 +84,10 @@ void setEdges(const gl::Program& program, const Aperture& aperture) {
 
 AperturePass::AperturePass(std::filesystem::path shaderFolder) : shaderFolder_(std::move(shaderFolder)) {}
 
-const gl::Program& AperturePass::variant(std::size_t images) {
-    const auto found = variants_.find(images);
+const gl::Program& AperturePass::variant(const std::vector<std::string>& features) {
+    const auto found = variants_.find(features);
     if (found != variants_.end()) return found->second;
-    return variants_
-        .try_emplace(images, shaderFolder_, "fullscreen.vert", "aperture.frag", apertureFeatures(images))
+    return variants_.try_emplace(features, shaderFolder_, "fullscreen.vert", "aperture.frag", features)
         .first->second;
 }
 
@@ -107,12 +123,12 @@ void AperturePass::compose(const ComposedAperture& aperture, GLuint goboTexture)
             glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture_.id(), level);
         }
     }
-    const std::vector<ApertureImage> images = imagesOf(aperture);
-    const gl::Program& program = variant(images.size());
+    const gl::Program& program = variant(apertureFeatures(aperture));
     program.use();
     program.set("goboImages", 0);
     program.set("size", static_cast<float>(kGoboSize));
-    setImages(program, images);
+    setPlaces(program, aperture);
+    setImages(program, imagesOf(aperture));
     setEdges(program, aperture.aperture);
     glBindFramebuffer(GL_FRAMEBUFFER, levels_.front().id());
     glViewport(0, 0, kGoboSize, kGoboSize);
@@ -151,7 +167,7 @@ std::vector<int> AperturePass::draw(std::span<const ComposedAperture> apertures,
 }
 
 void AperturePass::list(Resources& resources) const {
-    for (const auto& [images, program] : variants_) gl::listProgram(resources, program);
+    for (const auto& [features, program] : variants_) gl::listProgram(resources, program);
     gl::listTexture(resources, "aperture", GL_TEXTURE_2D, picture_);
 }
 

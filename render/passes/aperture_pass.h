@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "render/aperture_plan.h"
@@ -26,13 +27,13 @@ class AperturePass {
     void list(Resources& resources) const;
 
  private:
-    const gl::Program& variant(std::size_t images);
+    const gl::Program& variant(const std::vector<std::string>& features);
     std::vector<int> placesOf(std::span<const ComposedAperture> apertures);
     void compose(const ComposedAperture& aperture, GLuint goboTexture);
     void copyTo(GLuint goboTexture, int layer) const;
 
     std::filesystem::path shaderFolder_;
-    std::map<std::size_t, gl::Program> variants_;  ///< By how many pictures they look at.
+    std::map<std::vector<std::string>, gl::Program> variants_;  ///< By features.
     gl::VertexArray noVertices_;
     gl::Texture picture_;
     std::vector<gl::Framebuffer> levels_;                ///< Of picture_.

@@ -51,7 +51,9 @@ std::vector<std::uint16_t> hullIndexList() {
     return list;
 }
 
-BeamPicture pictureOf(const Beam& beam, int composed, const std::vector<int>& composedLayers) {
+BeamPicture pictureOf(const Beam& beam, int composed, const std::vector<int>& composedLayers,
+                      const Settings& settings) {
+    if (!settings.gobos) return {};
     if (composed < 0) return {beam.gobo, beam.goboRotationRad};
     return {composedLayers[static_cast<std::size_t>(composed)], pictureRotationRad(beam)};
 }
@@ -59,7 +61,7 @@ BeamPicture pictureOf(const Beam& beam, int composed, const std::vector<int>& co
 }  // namespace
 
 std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const Camera& camera,
-                               const std::vector<int>& composedLayers,
+                               const Settings& settings, const std::vector<int>& composedLayers,
                                const std::vector<GoboTableSlot>& goboTables) {
     std::vector<BeamShadow> shadows(scene.beams.size());
     for (std::size_t i = 0; i < scene.beams.size(); ++i) {
@@ -73,9 +75,9 @@ std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const 
     std::vector<GpuBeam> packed;
     packed.reserve(scene.beams.size());
     for (std::size_t i = 0; i < scene.beams.size(); ++i) {
-        packed.push_back(packBeam(scene.beams[i], plan.shapes[i], camera, shadows[i],
-                                  pictureOf(scene.beams[i], plan.apertures.ofBeam[i], composedLayers),
-                                  goboTables[i]));
+        packed.push_back(packBeam(
+            scene.beams[i], plan.shapes[i], camera, shadows[i],
+            pictureOf(scene.beams[i], plan.apertures.ofBeam[i], composedLayers, settings), goboTables[i]));
     }
     return packed;
 }

@@ -52,7 +52,7 @@ enum LightTextureUnit : int {
 /// Every beam of the scene as seen by the camera; `goboTables` has one slot a beam, `composedLayers` one
 /// layer a composed aperture of the plan.
 std::vector<GpuBeam> packBeams(const Scene& scene, const ScenePlan& plan, const Camera& camera,
-                               const std::vector<int>& composedLayers,
+                               const Settings& settings, const std::vector<int>& composedLayers,
                                const std::vector<GoboTableSlot>& goboTables);
 
 /// Bytes of the hull that the beams of a pass share.

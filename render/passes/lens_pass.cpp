@@ -3,6 +3,20 @@
 #include "render/gl/inventory.h"
 
 namespace hazer::render {
+namespace {
+
+/// Lenses have no shadows: where they face takes the place of those.
+std::vector<GpuBeam> withNormals(const LightInputs& in) {
+    std::vector<GpuBeam> lenses = in.beams;
+    for (std::size_t i = 0; i < lenses.size(); ++i) {
+        const Beam& beam = in.scene.beams[i];
+        const glm::dvec3 normal = beam.lensNormal.value_or(-beam.worldFromBeam[2]);
+        lenses[i].shadow = glm::vec4(glm::dvec4(glm::transpose(beam.worldFromBeam) * normal, 0.0));
+    }
+    return lenses;
+}
+
+}  // namespace
 
 LensPass::LensPass(std::filesystem::path shaderFolder) : shaderFolder_(std::move(shaderFolder)) {}
 
@@ -15,7 +29,7 @@ const gl::Program& LensPass::variant(LightFeatures features) {
 
 void LensPass::draw(const LightInputs& in) {
     const std::vector<BeamGroup>& groups = in.plan.lenses;
-    batch_.upload(groups, in.beams);
+    batch_.upload(groups, withNormals(in));
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
     for (std::size_t i = 0; i < groups.size(); ++i) {

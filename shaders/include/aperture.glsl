@@ -4,8 +4,6 @@
 // The share of light at a signed distance from an edge, above 0 on the open side.
 Real throughEdge(Real distance, Real width) { return clamp(Real(0.5) + distance / max(width, Real(1e-6)), Real(0.0), Real(1.0)); }
 
-Real throughIris(Real2 place, Real radius, Real width) { return throughEdge(radius - length(place), width); }
-
 // edge: a unit normal that points at the blade, and its distance from the middle.
 Real throughBlade(Real2 place, Real3 edge, Real width) {
     return throughEdge(edge.z - edge.x * place.x - edge.y * place.y, width);
@@ -20,12 +18,9 @@ Real throughRectangle(Real2 place, Real2 halfSize, Real width) {
     return max(throughSlit(place.x, halfSize.x, width), Real(0.0)) * max(throughSlit(place.y, halfSize.y, width), Real(0.0));
 }
 
-// The distance from an oval, to first order: what it is of its own size, over how fast that changes.
-Real throughOval(Real2 place, Real2 halfSize, Real width) {
-    Real2 scaled = Real2(place.x / halfSize.x, place.y / halfSize.y);
-    Real size = length(scaled);
-    Real slope = length(Real2(scaled.x / halfSize.x, scaled.y / halfSize.y)) / max(size, Real(1e-6));
-    return throughEdge((Real(1.0) - size) / max(slope, Real(1e-6)), width);
+// In the middle of a hole smaller than the ramp it is dimmer, as in a slit; nothing passes one that is shut.
+Real throughIris(Real2 place, Real radius, Real width) {
+    return radius > Real(0.0) ? max(throughSlit(length(place), radius, width), Real(0.0)) : Real(0.0);
 }
 
 // A place on a picture, of which the disc is the unit disc. turn: cos and sin of its rotation; disc: middle and radius.

@@ -12,13 +12,13 @@ namespace hazer::test {
 namespace {
 
 using render::Aperture;
-using render::ApertureShape;
 using render::Beam;
 using render::Camera;
 using render::FloatImage;
 using render::Scene;
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kRadPerDeg = kPi / 180.0;
 constexpr int kTexels = 512;
 constexpr int kSize = 160;
 
@@ -67,6 +67,7 @@ class ApertureGl : public GlTest {
         if (IsSkipped()) return;
         plane_ = renderer().addMesh(render::makePlane());
         gobo_ = add(quarter);
+        open_ = add([](const glm::dvec2& place) { return grey(glm::length(place) < 1.0); });
     }
 
     render::GoboId add(const Through& through) {
@@ -83,6 +84,7 @@ class ApertureGl : public GlTest {
         beam.beamAngleRad = 22.0 * kRadPerDeg;
         beam.fluxLm = 10000.0;
         beam.showsLens = false;
+        beam.edge = edge_;
         scene.beams.push_back(beam);
         render::MeshInstance floor;
         floor.mesh = plane_;
@@ -111,12 +113,20 @@ class ApertureGl : public GlTest {
         return std::sqrt(error / light);
     }
 
+    struct Same {
+        bool hasGobo = false;
+        double brighter = 1.0;  ///< The lamp of the gobo is.
+        double tolerance = 0.015;
+    };
+
     /// The same light through an aperture and through a gobo that shows what the aperture should be.
-    void expectSame(const Aperture& aperture, const Through& through, const char* what, bool hasGobo = false,
-                    double tolerance = 0.015) {
+    void expectSame(const Aperture& aperture, const Through& through, const char* what, const Same& same) {
+        const auto [hasGobo, brighter, tolerance] = same;
         Scene scene = lamp();
         Beam& beam = scene.beams.front();
         beam.aperture = aperture;
+        // Beyond a soft beam's field there is light unless a picture's gate is in the way, as in the gobo.
+        if (!hasGobo && beam.aperture.images[3].gobo == -1) beam.aperture.images[3].gobo = open_;
         if (hasGobo) {
             beam.gobo = gobo_;
             beam.goboRotationRad = 0.5;
@@ -130,14 +140,21 @@ class ApertureGl : public GlTest {
         beam.gobo = add([&](const glm::dvec2& place) {
             return through(place) * (hasGobo ? quarter(turned(place, -left)) : glm::dvec3(1.0));
         });
+        beam.fluxLm *= brighter;
         const FloatImage want = drawn(scene);
         EXPECT_LT(difference(got, want), tolerance) << what;
         beam.gobo = -1;
         EXPECT_GT(difference(drawn(scene), want), 0.1) << what << " does nothing";
     }
 
+    void expectSame(const Aperture& aperture, const Through& through, const char* what) {
+        expectSame(aperture, through, what, Same{});
+    }
+
+    render::BeamEdge edge_ = render::BeamEdge::kSoft;
     render::MeshId plane_ = -1;
     render::GoboId gobo_ = -1;
+    render::GoboId open_ = -1;
 };
 
 TEST_F(ApertureGl, BladesCutFromTheirSide) {
@@ -148,29 +165,32 @@ TEST_F(ApertureGl, BladesCutFromTheirSide) {
         return grey(glm::dot(turned({0.0, -1.0}, 0.3), place) < 0.2 && place.y < 0.5);
     };
     expectSame(aperture, through, "blades");
-    expectSame(aperture, through, "blades over a gobo", true);
+    expectSame(aperture, through, "blades over a gobo", {.hasGobo = true});
 }
 
 TEST_F(ApertureGl, AnIrisClosesOverAGobo) {
     Aperture aperture;
     aperture.irisRadius = 0.6;
-    expectSame(
-        aperture, [](const glm::dvec2& place) { return grey(glm::length(place) < 0.6); }, "iris", true);
+    expectSame(aperture, [](const glm::dvec2& place) { return grey(glm::length(place) < 0.6); }, "iris",
+               {.hasGobo = true});
 }
 
-TEST_F(ApertureGl, RectanglesAndOvals) {
+// A lamp's own shape takes no light: it comes out of a smaller area.
+TEST_F(ApertureGl, ARectangleIsAsMuchBrighterAsItIsSmaller) {
     Aperture aperture;
-    aperture.shape = ApertureShape::kRectangle;
-    aperture.halfSize = {0.8, 0.3};
+    aperture.rectangle = {{0.8, 0.3}, 0.0};
+    const double brighter = kPi / (4.0 * 0.8 * 0.3);
     expectSame(
         aperture,
         [](const glm::dvec2& place) { return grey(std::abs(place.x) < 0.8 && std::abs(place.y) < 0.3); },
-        "rectangle");
-    aperture.shape = ApertureShape::kOval;
-    expectSame(
-        aperture,
-        [](const glm::dvec2& place) { return grey(glm::length(place / glm::dvec2(0.8, 0.3)) < 1.0); },
-        "oval");
+        "rectangle", {.brighter = brighter});
+    aperture.rectangle->softness = 0.3;
+    const auto ramp = [](double place, double half) {
+        return std::clamp((half - std::abs(place)) / 0.3, 0.0, 1.0);
+    };
+    expectSame(aperture,
+               [&](const glm::dvec2& place) { return glm::dvec3(ramp(place.x, 0.8) * ramp(place.y, 0.3)); },
+               "soft rectangle", {.brighter = kPi / (4.0 * 0.65 * 0.15)});
 }
 
 TEST_F(ApertureGl, SoftEdgesAreRamps) {
@@ -204,7 +224,7 @@ TEST_F(ApertureGl, FurtherWheelsLieOverTheFirst) {
         return quarter(turned(place - glm::dvec2(0.1, -0.2), 0.7));
     };
     expectSame(aperture, second, "second wheel");
-    expectSame(aperture, second, "both wheels", true);
+    expectSame(aperture, second, "both wheels", {.hasGobo = true});
     aperture.images[0] = {gobo_, 0.3, {-1.5, 0.3}, 3.0};
     expectSame(
         aperture,
@@ -223,7 +243,7 @@ TEST_F(ApertureGl, AsManyPicturesAsThereMayBe) {
             for (std::size_t k = 0; k <= i; ++k) light *= quarter(turned(place, -turn(k + 1)));
             return light;
         };
-        expectSame(aperture, through, "pictures", i % 2 == 1);
+        expectSame(aperture, through, "pictures", {.hasGobo = i % 2 == 1});
     }
 }
 
@@ -233,11 +253,12 @@ TEST_F(ApertureGl, AStretchIsOfAllThatIsInTheWay) {
     Aperture aperture;
     aperture.stretch = axes * glm::dmat2(1.0, 0.0, 0.0, -0.4) * glm::transpose(axes);
     const glm::dmat2 back = glm::inverse(aperture.stretch);
-    // Edges are a texel wide along the shortest axis, which is more along the longest.
-    constexpr double kWiderEdges = 0.03;
+    edge_ = render::BeamEdge::kFlat;
+    // Edges are a texel wide along the shortest axis, which is more along the longest, and bright.
+    const Same same{.brighter = 1.0 / 0.4, .tolerance = 0.06};
     expectSame(
         aperture, [&](const glm::dvec2& place) { return grey(glm::length(back * place) < 1.0); }, "field",
-        false, kWiderEdges);
+        same);
     aperture.images[0] = {gobo_, 0.3, {0.1, 0.0}, 1.0};
     aperture.blades[0] = {turned({0.0, -1.0}, 0.3), 0.2};
     expectSame(
@@ -247,7 +268,7 @@ TEST_F(ApertureGl, AStretchIsOfAllThatIsInTheWay) {
             const bool isOpen = glm::dot(turned({0.0, -1.0}, 0.3), at) < 0.2 && glm::length(at) < 1.0;
             return quarter(turned(at - glm::dvec2(0.1, 0.0), -0.3)) * grey(isOpen);
         },
-        "gobo and blade", false, kWiderEdges);
+        "gobo and blade", same);
 }
 
 // Pictures are kept from frame to frame, and drawn anew where an aperture changes or a gobo comes.
@@ -281,32 +302,137 @@ TEST_F(ApertureGl, InTheAirItKeepsTheErrorAskedFor) {
     EXPECT_LT(difference(drawn(scene, 0), drawn(scene, 1024)), 0.01);
 }
 
-// Frost blurs a gobo's edges, and takes no light away.
-TEST_F(ApertureGl, FrostBlursAGobo) {
-    Scene scene = lamp();
-    scene.haze.scatteringPerM = 0.0f;
-    scene.haze.extinctionPerM = 0.0f;
-    scene.beams[0].edge = render::BeamEdge::kFlat;
-    scene.beams[0].gobo = gobo_;
-    const auto measure = [&](double frostDeg, double& flux, double& steepest) {
-        scene.beams[0].frostRad = frostDeg * kRadPerDeg;
-        // All within the field.
-        const Camera down{{0.0, 0.0, 20.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 6.0 * kRadPerDeg};
+/// Light on a floor 6 m below: lumens but for a factor, and its variance along x and y [m2].
+struct OnFloor {
+    double flux = 0.0;
+    glm::dvec2 variance{0.0};
+};
+
+class FrostGl : public ApertureGl {
+ protected:
+    OnFloor measure(const Beam& beam) {
+        constexpr double kHalfViewM = 2.6;
+        Scene scene = lamp();
+        scene.haze.scatteringPerM = 0.0f;
+        scene.haze.extinctionPerM = 0.0f;
+        scene.instances[0].material.specular = 0.0f;
+        scene.beams[0] = beam;
+        const Camera down{
+            {0.0, 0.0, 60.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 2.0 * std::atan(kHalfViewM / 60.0)};
         const FloatImage image = draw(scene, down, kSize, kSize);
-        flux = steepest = 0.0;
+        OnFloor floor;
+        glm::dvec2 first(0.0), second(0.0);
         for (int y = 0; y < kSize; ++y) {
-            for (int x = 1; x < kSize; ++x) {
-                flux += image.at(x, y)[1];
-                steepest = std::max(steepest,
-                                    static_cast<double>(std::abs(image.at(x, y)[1] - image.at(x - 1, y)[1])));
+            for (int x = 0; x < kSize; ++x) {
+                const glm::dvec2 at =
+                    kHalfViewM * (2.0 * glm::dvec2(x + 0.5, kSize - 0.5 - y) / double(kSize) - 1.0);
+                const double light = image.at(x, y)[1];
+                floor.flux += light;
+                first += light * at;
+                second += light * at * at;
             }
         }
-    };
-    double sharpFlux, sharpEdge, frostedFlux, frostedEdge;
-    measure(0.0, sharpFlux, sharpEdge);
-    measure(4.0, frostedFlux, frostedEdge);
-    EXPECT_LT(frostedEdge, 0.25 * sharpEdge);
-    EXPECT_NEAR(frostedFlux, sharpFlux, 0.08 * sharpFlux);
+        first /= floor.flux;
+        floor.variance = second / floor.flux - first * first;
+        return floor;
+    }
+
+    Beam narrowLamp() const {
+        Beam beam = lamp().beams[0];
+        beam.fieldAngleRad = 13.0 * kRadPerDeg;
+        beam.beamAngleRad = 11.0 * kRadPerDeg;
+        beam.edge = render::BeamEdge::kSoft;
+        return beam;
+    }
+
+    /// Scattering keeps the light, and adds its own variance to that of whatever passes it.
+    void expectScattered(Beam beam, const char* what) {
+        const OnFloor sharp = measure(beam);
+        for (const double frostDeg : {4.0, 8.0}) {
+            beam.frostRad = frostDeg * kRadPerDeg;
+            const OnFloor frosted = measure(beam);
+            EXPECT_NEAR(frosted.flux / sharp.flux, 1.0, 0.03) << what << ", " << frostDeg;
+            // A profile is made wider by the law of Gaussians, and a steep one is none.
+            // Of a Gaussian of that width at half its peak, at 6 m.
+            const double variance = std::pow(6.0 * beam.frostRad, 2.0) / (8.0 * std::log(2.0));
+            for (int axis = 0; axis < 2; ++axis)
+                EXPECT_NEAR((frosted.variance[axis] - sharp.variance[axis]) / variance, 1.0, 0.26)
+                    << what << ", " << frostDeg << ", axis " << axis;
+        }
+    }
+};
+
+TEST_F(FrostGl, ScattersABareBeam) {
+    expectScattered(narrowLamp(), "bare");
+}
+
+TEST_F(FrostGl, ScattersWhateverIsInTheWay) {
+    Beam beam = narrowLamp();
+    beam.aperture.irisRadius = 0.4;
+    expectScattered(beam, "iris");
+    beam = narrowLamp();
+    beam.aperture.blades[0] = {{0.0, -1.0}, 0.2};
+    expectScattered(beam, "blade");
+    // A blade at the edge of the field changes nothing to speak of.
+    beam.aperture.blades[0].distance = 0.99;
+    beam.frostRad = 8.0 * kRadPerDeg;
+    Beam bare = narrowLamp();
+    bare.frostRad = beam.frostRad;
+    EXPECT_NEAR(measure(beam).flux / measure(bare).flux, 1.0, 0.03);
+    beam = narrowLamp();
+    beam.gobo = gobo_;
+    expectScattered(beam, "gobo");
+    beam.edge = render::BeamEdge::kFlat;
+    expectScattered(beam, "gobo of a flat beam");
+}
+
+TEST_F(FrostGl, ScattersTheBeamsOwnShape) {
+    Beam beam = narrowLamp();
+    beam.aperture.stretch = glm::dmat2(1.0, 0.0, 0.0, 0.4);
+    expectScattered(beam, "oval");
+    beam = narrowLamp();
+    beam.edge = render::BeamEdge::kFlat;
+    beam.aperture.rectangle = {{0.8, 0.6}, 0.1};
+    expectScattered(beam, "rectangle");
+}
+
+// However a beam is shaped, its light is that of the round one; and without a gate there is light beyond the
+// field, with or without a blade at its edge.
+TEST_F(FrostGl, ShapesKeepTheLight) {
+    Beam beam = narrowLamp();
+    beam.beamAngleRad = 6.0 * kRadPerDeg;
+    const double round = measure(beam).flux;
+    beam.aperture.blades[0].distance = 0.99;
+    EXPECT_NEAR(measure(beam).flux / round, 1.0, 0.03);
+    beam.aperture = {};
+    for (const double height : {1.0, 0.7, 0.3}) {
+        beam.aperture.stretch = glm::dmat2(1.0, 0.0, 0.0, height);
+        EXPECT_NEAR(measure(beam).flux / round, 1.0, 0.03) << height;
+    }
+    beam.aperture = {};
+    beam.edge = render::BeamEdge::kFlat;
+    for (const double softness : {0.0, 0.2, 0.5}) {
+        beam.aperture.rectangle = {{0.8, 0.6}, softness};
+        EXPECT_NEAR(measure(beam).flux / round, 1.0, 0.02) << softness;
+    }
+}
+
+// A defocused gobo is as blurred as by the disc of light that the lens makes of a point.
+TEST_F(FrostGl, DefocusIsTheDiscOfConfusion) {
+    Beam beam = narrowLamp();
+    beam.gobo = add([](const glm::dvec2& place) { return grey(glm::length(place) < 0.2); });
+    beam.lensRadiusM = 0.08;
+    const OnFloor sharp = measure(beam);
+    beam.focusDistanceM = 3.0;
+    const OnFloor blurred = measure(beam);
+    EXPECT_NEAR(blurred.flux / sharp.flux, 1.0, 0.02);
+    // Its radius on the floor is the lens' radius times 6 m * |1 / 6 m - 1 / 3 m|; a disc's variance along an
+    // axis is a quarter of its radius squared. The apex behind the lens makes 6 m a little more.
+    const double radiusM = 0.08 * 6.0 * (1.0 / 3.0 - 1.0 / 6.0);
+    const double apexM = 6.0 + 0.08 / std::tan(6.5 * kRadPerDeg);
+    const double variance = std::pow(radiusM * apexM / 6.0, 2.0) / 4.0;
+    for (int axis = 0; axis < 2; ++axis)
+        EXPECT_NEAR((blurred.variance[axis] - sharp.variance[axis]) / variance, 1.0, 0.25) << axis;
 }
 
 }  // namespace

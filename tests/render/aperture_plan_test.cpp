@@ -50,7 +50,7 @@ TEST(AperturePlan, EveryKindOfObstacleNeedsOne) {
     std::vector<Beam> beams(6, lamp());
     beams[0].aperture.blades[3].distance = 0.9;
     beams[1].aperture.images[1].gobo = 2;
-    beams[2].aperture.shape = render::ApertureShape::kOval;
+    beams[2].aperture.rectangle.emplace();
     beams[3].aperture.split.distance = 0.0;
     beams[3].aperture.beyondColor = {1.0f, 0.0f, 0.0f};
     beams[4].aperture.irisRadius = 0.5;
@@ -72,6 +72,7 @@ TEST(AperturePlan, DarkBeamsNeedNone) {
 TEST(AperturePlan, BeamsThatLightNothingNeedNone) {
     Scene scene;
     scene.beams = {withBlade(0.2)};
+    scene.beams[0].showsLens = false;
     scene.haze.scatteringPerM = 0.0f;
     EXPECT_TRUE(render::planScene(scene, {}, {}, {}).apertures.composed.empty());
 }

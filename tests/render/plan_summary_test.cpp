@@ -136,7 +136,9 @@ TEST_F(PlanSummaryTest, WhyThereIsNoAir) {
     full_.scene.haze.scatteringPerM = 0.0f;
     expectLeftOut("light in the air", "the haze scatters nothing");
     full_.scene.instances.clear();
-    expectLeftOut("gobos", "there is neither light in the air nor a body to see a gobo on");
+    EXPECT_EQ(part("gobos").reason, "1 of 2 lit lamps has a gobo");  // seen in the lens
+    for (render::Beam& beam : full_.scene.beams) beam.showsLens = false;
+    expectLeftOut("gobos", "there is neither light in the air nor a body or lens to see a gobo on");
     expectLeftOut("shadow maps", "there is neither light in the air nor a body to see a shadow on");
     expectLeftOut("light on surfaces", "the scene has no body");
 }
