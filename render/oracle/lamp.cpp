@@ -81,8 +81,8 @@ glm::dvec3 throughGobo(const Lamp& lamp, const GoboPicture& gobo, const glm::dve
     double blur = footprintM / axialM;
     if (lamp.beam.focusDistanceM > 0.0) {
         const double fromLensM = std::max(axialM - lamp.shape.apexToLensM, 1e-3);
-        blur = std::max(
-            blur, lamp.beam.lensRadiusM * std::abs(1.0 / fromLensM - 1.0 / lamp.beam.focusDistanceM));
+        blur = std::max(blur,
+                        lamp.beam.lensRadiusM * std::abs(1.0 / fromLensM - 1.0 / lamp.beam.focusDistanceM));
     }
     return gobo.transmission(place, 0.5 * blur / fieldTangent * gobo.size());
 }
