@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <initializer_list>
 #include <optional>
+#include <utility>
 
 #include "fixtures/text.h"
 
@@ -24,12 +26,14 @@ std::optional<Ray> firstBeam(const Fixture& fixture) {
     return Ray{glm::dvec3(beam[3]), -glm::dvec3(beam[2])};
 }
 
-bool canTurn(const Fixture& fixture, const char* attribute) {
+/// Empty if the fixture cannot turn there.
+std::optional<std::pair<double, double>> reachDeg(const Fixture& fixture, const char* attribute) {
     for (const fixtures::AttributeRange& range : fixture.attributes()) {
-        if (fixtures::equalsIgnoringCase(range.attribute, attribute))
-            return range.physicalTo != range.physicalFrom;
+        if (!fixtures::equalsIgnoringCase(range.attribute, attribute)) continue;
+        if (range.physicalTo == range.physicalFrom) return std::nullopt;
+        return std::minmax(range.physicalFrom, range.physicalTo);
     }
-    return false;
+    return std::nullopt;
 }
 
 void panAndTiltTo(double panDeg, double tiltDeg, Fixture& fixture) {
@@ -43,40 +47,79 @@ glm::dvec3 directionAt(double panDeg, double tiltDeg, Fixture& fixture) {
     return firstBeam(fixture)->direction;
 }
 
-/// How pan and tilt swing the beam: straight on at tilt 0, and two directions square to it that the beam
-/// takes at tilt 90, for pan 0 and for pan 90. Exact for heads whose two axes are square to each other.
-struct Swing {
-    glm::dvec3 ahead;
-    glm::dvec3 tilted;
-    glm::dvec3 tiltedAtPan;
+/// What of a direction is square to others of length 1, made as long.
+glm::dvec3 squareTo(glm::dvec3 direction, std::initializer_list<glm::dvec3> others) {
+    for (const glm::dvec3& other : others) direction -= glm::dot(direction, other) * other;
+    const double length = glm::length(direction);
+    return length > 1e-6 ? direction / length : glm::dvec3(0.0);
+}
 
-    explicit Swing(Fixture& fixture)
-        : ahead(directionAt(0.0, 0.0, fixture)),
-          tilted(directionAt(0.0, 90.0, fixture)),
-          tiltedAtPan(directionAt(90.0, 90.0, fixture)) {}
+/// A head whose two axes are square to each other, and what they reach. A mirror swings the beam almost so.
+class Head {
+ public:
+    Head(Fixture& fixture, std::pair<double, double> panDeg, std::pair<double, double> tiltDeg)
+        : panReachDeg_(panDeg), tiltReachDeg_(tiltDeg) {
+        const double tilt = farthest(tiltReachDeg_);
+        const double pan = farthest(panReachDeg_);
+        ahead_ = directionAt(0.0, 0.0, fixture);
+        tilted_ = squareTo(directionAt(0.0, tilt, fixture), {ahead_}) * (tilt < 0.0 ? -1.0 : 1.0);
+        across_ =
+            squareTo(directionAt(pan, tilt, fixture), {ahead_, tilted_}) * (pan * tilt < 0.0 ? -1.0 : 1.0);
+    }
 
-    double panDeg(const glm::dvec3& wanted) const {
-        const double across = glm::dot(wanted, tiltedAtPan);
-        const double along = glm::dot(wanted, tilted);
+    /// Of all turns that point there the shortest within reach; if there is none, of all.
+    std::pair<double, double> anglesTo(const glm::dvec3& wanted) const {
+        const double along = glm::dot(wanted, tilted_);
+        const double across = glm::dot(wanted, across_);
         const bool isAhead = std::hypot(across, along) < 1e-9;
-        return isAhead ? 0.0 : glm::degrees(std::atan2(across, along));
+        const double pan = isAhead ? 0.0 : glm::degrees(std::atan2(across, along));
+        const double tilt = glm::degrees(std::acos(std::clamp(glm::dot(wanted, ahead_), -1.0, 1.0)));
+        std::pair<double, double> best{pan, tilt};
+        double leastCost = cost(best);
+        for (const double turnDeg : {-540.0, -360.0, -180.0, 180.0, 360.0, 540.0}) {
+            const bool isOver = std::abs(std::remainder(turnDeg, 360.0)) > 1.0;
+            const std::pair other{pan + turnDeg, isOver ? -tilt : tilt};
+            if (cost(other) >= leastCost) continue;
+            best = other;
+            leastCost = cost(other);
+        }
+        return best;
     }
 
-    double tiltDeg(const glm::dvec3& wanted) const {
-        return glm::degrees(std::acos(std::clamp(glm::dot(wanted, ahead), -1.0, 1.0)));
+ private:
+    /// Up to a quarter turn, where the direction tells most.
+    static double farthest(const std::pair<double, double>& reachDeg) {
+        const auto [low, high] = reachDeg;
+        return high >= -low ? std::min(high, 90.0) : std::max(low, -90.0);
     }
+
+    static double beyond(const std::pair<double, double>& reachDeg, double deg) {
+        return std::max({reachDeg.first - deg, deg - reachDeg.second, 0.0});
+    }
+
+    double cost(const std::pair<double, double>& anglesDeg) const {
+        constexpr double kOutOfReach = 1e4;
+        const double outside =
+            beyond(panReachDeg_, anglesDeg.first) + beyond(tiltReachDeg_, anglesDeg.second);
+        return kOutOfReach * (outside > 1e-6 ? 1.0 + outside : 0.0) + std::abs(anglesDeg.first) +
+               1e-3 * std::abs(anglesDeg.second);
+    }
+
+    std::pair<double, double> panReachDeg_, tiltReachDeg_;
+    glm::dvec3 ahead_{0.0};
+    glm::dvec3 tilted_{0.0};  ///< Where the beam goes from `ahead_` as tilt grows.
+    glm::dvec3 across_{0.0};  ///< Where it goes from there as pan grows.
 };
 
 /// The lens moves with the head, so that its direction to the target is found in a few rounds.
-void aimHead(Fixture& fixture, const glm::dvec3& targetM) {
+void aimHead(const Head& head, Fixture& fixture, const glm::dvec3& targetM) {
     constexpr int kRounds = 4;
-    const Swing swing(fixture);
     panAndTiltTo(0.0, 0.0, fixture);
     for (int round = 0; round < kRounds; ++round) {
         const glm::dvec3 way = targetM - firstBeam(fixture)->originM;
         if (glm::length(way) < 1e-6) return;
-        const glm::dvec3 wanted = glm::normalize(way);
-        panAndTiltTo(swing.panDeg(wanted), swing.tiltDeg(wanted), fixture);
+        const auto [panDeg, tiltDeg] = head.anglesTo(glm::normalize(way));
+        panAndTiltTo(panDeg, tiltDeg, fixture);
     }
 }
 
@@ -99,8 +142,10 @@ void aimBody(Fixture& fixture, const Ray& beam, const glm::dvec3& targetM) {
 void aim(fixtures::Fixture& fixture, const glm::dvec3& targetM) {
     const std::optional<Ray> beam = firstBeam(fixture);
     if (!beam) return;
-    if (canTurn(fixture, "Pan") && canTurn(fixture, "Tilt")) {
-        aimHead(fixture, targetM);
+    const auto panDeg = reachDeg(fixture, "Pan");
+    const auto tiltDeg = reachDeg(fixture, "Tilt");
+    if (panDeg && tiltDeg) {
+        aimHead(Head(fixture, *panDeg, *tiltDeg), fixture, targetM);
     } else {
         aimBody(fixture, *beam, targetM);
     }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/assignment.h"
+#include "app/room_haze.h"
 #include "app/staging.h"
 #include "render/asset_list.h"
 
@@ -173,7 +174,11 @@ Explanation explainShow(const Show& show, const ExplainRequest& request) {
     render::AssetList assets;
     Staging staging(show, assets);
     warnAboutRig(show, staging);
-    const render::Scene scene = staging.scene(patch, controlsOf(show), 0.0);
+    SceneControls controls = controlsOf(show);
+    RoomHaze roomHaze;
+    roomHaze.settle(supplyOf(patch));
+    roomHaze.addTo(controls.haze);
+    const render::Scene scene = staging.scene(patch, controls, 0.0);
     render::Settings settings;
     settings.width = request.width;
     settings.height = request.height;

@@ -60,7 +60,6 @@ constexpr std::array kAbilities{Ability{AttributeKind::kDimmer, "dimmer"},
                                 Ability{AttributeKind::kBladeSoft, "barn doors"},
                                 Ability{AttributeKind::kBladeA, "{} framing blades"},
                                 Ability{AttributeKind::kBeamShaper, "oval beam"},
-                                Ability{AttributeKind::kKeystoneA, "keystone"},
                                 Ability{AttributeKind::kFog, "fog"},
                                 Ability{AttributeKind::kHaze, "haze"},
                                 Ability{AttributeKind::kFan, "fan"}};

@@ -107,9 +107,11 @@ void fitToUnit(std::vector<render::PaintedMesh>& meshes) {
         high = glm::max(high, box.highM);
     }
     const glm::vec3 size = high - low;
-    // What is flat has no size to go by; its own thickness is none.
+    // What is flat has no size to go by along that axis.
     const float largest = std::max({size.x, size.y, size.z, 1e-6f});
-    const glm::vec3 perSize = 1.0f / glm::max(size, 1e-6f * largest);
+    glm::vec3 perSize;
+    for (int axis = 0; axis < 3; ++axis)
+        perSize[axis] = 1.0f / (size[axis] > 1e-6f * largest ? size[axis] : largest);
     for (render::PaintedMesh& painted : meshes) {
         for (render::Vertex& vertex : painted.mesh.vertices) {
             vertex.positionM *= perSize;

@@ -23,6 +23,18 @@ void HazeSupply::add(const fixtures::HazeOutput& output) {
     fog += output.fog;
 }
 
+HazeSupply supplyOf(const Patch& patch) {
+    HazeSupply supply;
+    for (const PatchedFixture& patched : patch.fixtures()) supply.add(patched.fixture.output());
+    return supply;
+}
+
+void RoomHaze::addTo(render::Haze& haze) const {
+    const auto added = static_cast<float>(extinctionPerM());
+    haze.extinctionPerM += added;
+    haze.scatteringPerM += added;
+}
+
 void RoomHaze::step(const HazeSupply& supply, double dtS) {
     hazePerM_ = approached(hazePerM_, kHazePerM * supply.haze, dtS, kHazeS);
     fogPerM_ = approached(fogPerM_, kFogPerM * supply.fog, dtS, kFogS);

@@ -20,12 +20,6 @@ render::Settings settingsOf(const Show& show) {
     return settings;
 }
 
-HazeSupply supplyOf(const Patch& patch) {
-    HazeSupply supply;
-    for (const PatchedFixture& patched : patch.fixtures()) supply.add(patched.fixture.output());
-    return supply;
-}
-
 }  // namespace
 
 Session::Session(Show show, const SessionOptions& options)
@@ -90,9 +84,7 @@ void Session::draw() {
 
 render::Scene Session::scene() {
     SceneControls controls = controls_;
-    const auto added = static_cast<float>(roomHaze_.extinctionPerM());
-    controls.haze.extinctionPerM += added;
-    controls.haze.scatteringPerM += added;
+    roomHaze_.addTo(controls.haze);
     return staging_.scene(patch_, controls, timeS_);
 }
 

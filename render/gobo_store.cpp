@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/aperture_plan.h"
 #include "render/gl/inventory.h"
 
 namespace hazer::render {
@@ -30,7 +31,8 @@ GoboId GoboStore::add(const std::uint8_t* rgba, int width, int height) {
 
 GLuint GoboStore::texture(int composed) {
     if (uploaded_ == pictures_.size() && composed <= roomForComposed_) return texture_.id();
-    roomForComposed_ = std::max(composed, roomForComposed_);
+    if (composed > roomForComposed_)
+        roomForComposed_ = std::min(std::max(composed, 2 * roomForComposed_), kMostComposedApertures);
     ++textureGeneration_;
     texture_ = gl::makeTexture();
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture_.id());

@@ -87,18 +87,19 @@ std::string inspectRecording(const InspectOptions& options) {
 }
 
 std::string inspectFile(const InspectOptions& options) {
-    if (std::filesystem::path(options.file).extension() == ".toml") return inspectShow(options);
-    if (isRig(options.file)) return inspectRig(options);
     if (protocol::isRecording(options.file)) return inspectRecording(options);
-    return inspectFixtureType(options);
+    const bool isShow = std::filesystem::path(options.file).extension() == ".toml";
+    const bool isFixture = !isShow && !isRig(options.file);
+    if (!options.at.empty() && !(isFixture && options.isJson))
+        throw std::runtime_error("--at is for recordings, and with --json for fixture files");
+    if (isFixture) return inspectFixtureType(options);
+    return isShow ? inspectShow(options) : inspectRig(options);
 }
 
 int runInspect(const InspectOptions& options) {
     fmt::print("{}", inspectFile(options));
     return kExitOk;
 }
-
-}  // namespace
 
 /// Empty if the text is a moment or values of attributes, else what is wrong with it.
 std::string checkAt(const std::string& text) {
@@ -110,6 +111,8 @@ std::string checkAt(const std::string& text) {
         return fmt::format("'{}' is neither a time such as 1:20 nor values such as Pan=90,Tilt=45", text);
     }
 }
+
+}  // namespace
 
 void addInspectCommand(CLI::App& program, Command& chosen) {
     auto options = std::make_shared<InspectOptions>();

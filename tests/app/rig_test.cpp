@@ -116,17 +116,19 @@ void append(std::vector<std::uint8_t>& bytes, const void* from, std::size_t size
 }
 
 /// A binary glTF 2.0 with one tetrahedron of edges 2, 4 and 8 at the origin, in glTF's own axes: Y up.
-std::vector<std::uint8_t> tetrahedronGlb() {
+using Corners = std::array<std::array<float, 3>, 4>;
+
+std::vector<std::uint8_t> tetrahedronGlb(const Corners& corners = {
+                                             {{0, 0, 0}, {2, 0, 0}, {0, 8, 0}, {0, 0, -4}}}) {
     std::string json =
         R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
         R"("accessors":[{"bufferView":0,"componentType":5126,"count":12,"type":"VEC3","min":[0,0,-4],"max":[2,8,0]}],)"
         R"("bufferViews":[{"buffer":0,"byteLength":144}],"buffers":[{"byteLength":144}]})";
     while (json.size() % 4 != 0) json += ' ';
-    constexpr std::array<std::array<float, 3>, 4> kCorners{{{0, 0, 0}, {2, 0, 0}, {0, 8, 0}, {0, 0, -4}}};
     constexpr std::array kTriangles{0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2};
     std::vector<std::uint8_t> places;
-    for (const int corner : kTriangles) append(places, kCorners[static_cast<std::size_t>(corner)].data(), 12);
+    for (const int corner : kTriangles) append(places, corners[static_cast<std::size_t>(corner)].data(), 12);
     const auto word = [](std::vector<std::uint8_t>& bytes, std::size_t value) {
         const auto small = static_cast<std::uint32_t>(value);
         append(bytes, &small, sizeof small);
@@ -166,6 +168,26 @@ TEST(RigBodies, ModelsHaveTheSizeThatTheFixtureSays) {
     // From the origin, which stays where it is; Y up becomes Z up.
     EXPECT_NEAR(glm::distance(low, glm::dvec3(5.0, 0.0, 0.0)), 0.0, 1e-6);
     EXPECT_NEAR(glm::distance(high, glm::dvec3(5.3, 0.2, 0.1)), 0.0, 1e-6);
+}
+
+// A plate has no height to be scaled by: it stays about where it is.
+TEST(RigBodies, FlatModelsStayInPlace) {
+    fixtures::Model model;
+    model.sizeM = {0.2, 0.2, 0.01};
+    const Corners plate{{{0, 0.5f, 0}, {2, 0.5f, 0}, {0, 0.5f, -4}, {2, 0.5f, -4}}};
+    model.file =
+        std::make_shared<const fixtures::ModelFile>(fixtures::ModelFile{"a.glb", tetrahedronGlb(plate)});
+    fixtures::FixtureState state;
+    state.parts = {{glm::dmat4(1.0), &model}};
+    MeshesOnly assets;
+    Rig rig(assets);
+    render::Scene scene;
+    rig.append(state, scene);
+    ASSERT_EQ(assets.meshes.size(), 1u);
+    for (const render::Vertex& vertex : assets.meshes[0].vertices) {
+        const glm::dvec3 place(scene.instances[0].worldFromMesh * glm::dvec4(vertex.positionM, 1.0));
+        EXPECT_NEAR(place.z, 0.01 * 0.5 / 4.0, 1e-6);
+    }
 }
 
 TEST(RigBodies, ABrokenModelIsAPlainShape) {
