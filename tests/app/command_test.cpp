@@ -177,6 +177,7 @@ TEST(Program, inspectPutsAFixtureWhereItIsAskedTo) {
     EXPECT_NEAR(direction[2].get<double>(), -0.7071, 1e-3);
     expectBadInput(hazer({"inspect", "moving-spot", "--json", "--at", "Pann=90"}), "Did you mean 'Pan'?");
     expectBadInput(hazer({"inspect", "moving-spot", "--json", "--at", "1:20"}), "1:20");
+    expectBadInput(hazer({"inspect", "moving-spot", "--at", "Pan=90"}), "with --json for fixture files");
     EXPECT_EQ(hazer({"inspect", "moving-spot", "--at", "later"}).exitCode, 1);
 }
 

@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
+#include "render/photometry.h"
 #include "tests/support/gl_test.h"
 
 namespace hazer::test {
@@ -300,6 +301,35 @@ TEST_F(ApertureGl, InTheAirItKeepsTheErrorAskedFor) {
     scene.beams[0].aperture.irisRadius = 0.6;
     scene.beams[0].aperture.blades[0].distance = 0.3;
     EXPECT_LT(difference(drawn(scene, 0), drawn(scene, 1024)), 0.01);
+}
+
+// Who looks into the beam sees the lens through what is in the way; the radiance is the intensity over the
+// lens' area, and so is that of a copy whose beam is slanted.
+TEST_F(ApertureGl, TheLensShowsWhatIsInTheWay) {
+    const auto lensFrom = [&](double xM, const Beam& beam) {
+        Scene scene = lamp();
+        scene.haze.scatteringPerM = scene.haze.extinctionPerM = 0.0f;
+        scene.beams[0] = beam;
+        const Camera below{{xM, 0.0, 3.0}, {0.0, 0.0, 6.0}, {0.0, 1.0, 0.0}, 4.0 * kRadPerDeg};
+        return static_cast<double>(draw(scene, below, 41, 41).at(20, 20)[1]);
+    };
+    Beam beam = lamp().beams[0];
+    beam.showsLens = true;
+    beam.edge = render::BeamEdge::kFlat;
+    const double tangent = 0.3 / 3.0;
+    const double open = lensFrom(0.3, beam);
+    const double area = kPi * beam.lensRadiusM * beam.lensRadiusM;
+    const double cosine = 1.0 / std::hypot(1.0, tangent);
+    EXPECT_NEAR(open * area * cosine / render::beamShape(beam).peakCd, 1.0, 0.01);
+    // At this scene +X is on the right of the beam's picture.
+    beam.aperture.blades[0] = {{1.0, 0.0}, 0.1};
+    EXPECT_LT(lensFrom(0.3, beam), 0.01 * open);
+    EXPECT_NEAR(lensFrom(-0.3, beam) / open, 1.0, 0.02);
+    beam.aperture = {};
+    beam.worldFromBeam =
+        glm::dmat3(glm::rotate(glm::dmat4(1.0), std::atan(tangent), glm::dvec3(0.0, -1.0, 0.0)));
+    beam.lensNormal = glm::dvec3(0.0, 0.0, -1.0);
+    EXPECT_NEAR(lensFrom(0.3, beam) / open, 1.0, 0.02);
 }
 
 /// Light on a floor 6 m below: lumens but for a factor, and its variance along x and y [m2].
