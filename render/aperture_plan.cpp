@@ -6,20 +6,19 @@
 #include <cmath>
 #include <iterator>
 
-#include "render/photometry.h"
-
 namespace hazer::render {
 namespace {
 
-ComposedAperture pictureOf(const Beam& beam) {
+ComposedAperture pictureOf(const Beam& beam, const BeamShape& shape) {
     ComposedAperture picture;
     picture.gobo = beam.gobo;
     picture.rotationRad = beam.goboRotationRad - pictureRotationRad(beam);
     picture.aperture = beam.aperture;
-    const BeamShape open = openShape(beam);
+    const bool hasProfile = hasProfileInPicture(beam);
+    const BeamShape open = hasProfile ? openShape(beam) : shape;
     const double fieldTangent = std::tan(open.fieldHalfAngleRad);
-    picture.fieldRadius = fieldTangent / std::tan(beamShape(beam).pictureHalfAngleRad);
-    if (hasProfileInPicture(beam)) picture.profile = {fieldTangent, open.beamHalfAngleRad, open.exponent};
+    picture.fieldRadius = fieldTangent / std::tan(shape.pictureHalfAngleRad);
+    if (hasProfile) picture.profile = {fieldTangent, open.beamHalfAngleRad, open.exponent};
     return picture;
 }
 
@@ -49,14 +48,15 @@ double pictureRotationRad(const Beam& beam) {
     return isRound(beam.aperture) ? beam.goboRotationRad : 0.0;
 }
 
-AperturePlan planApertures(const Scene& scene, std::span<const int> seen, const Settings& settings) {
+AperturePlan planApertures(const Scene& scene, std::span<const int> seen, std::span<const BeamShape> shapes,
+                           const Settings& settings) {
     AperturePlan plan;
     plan.ofBeam.assign(scene.beams.size(), -1);
     if (!settings.gobos) return plan;
     for (const int index : seen) {
         const Beam& beam = scene.beams[static_cast<std::size_t>(index)];
         if (!needsPicture(beam)) continue;
-        const ComposedAperture picture = pictureOf(beam);
+        const ComposedAperture picture = pictureOf(beam, shapes[static_cast<std::size_t>(index)]);
         const auto same = std::ranges::find(plan.composed, picture);
         const auto place = std::distance(plan.composed.begin(), same);
         if (place == kMostComposedApertures) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/aperture.h"
+#include "render/photometry.h"
 #include "render/scene.h"
 
 namespace hazer::render {
@@ -49,9 +50,11 @@ struct AperturePlan {
     std::vector<int> leftOut;  ///< Beams that shine without their aperture, for want of memory.
 };
 
-/// What the beams in `seen`, indices into Scene::beams, need. A beam with a gobo and nothing but an iris
-/// turns its picture as it turns its gobo, so that none has to be composed anew.
-AperturePlan planApertures(const Scene& scene, std::span<const int> seen, const Settings& settings);
+/// What the beams in `seen`, indices into Scene::beams, need; `shapes` has one per beam of the scene. A beam
+/// with a gobo and nothing but an iris turns its picture as it turns its gobo, so that none has to be
+/// composed anew.
+AperturePlan planApertures(const Scene& scene, std::span<const int> seen, std::span<const BeamShape> shapes,
+                           const Settings& settings);
 
 /// By how much the picture that a beam looks at is turned.
 double pictureRotationRad(const Beam& beam);

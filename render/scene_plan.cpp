@@ -223,7 +223,8 @@ ScenePlan planScene(const Scene& scene, const Camera& camera, const Settings& se
     const std::vector<int> lenses = seenLenses(scene, plan.lit);
     planShadowsOf(scene, camera, settings, plan.lit, meshBounds, plan);
     const std::vector<int> onSurfaces = beamsOnSurfaces(plan);
-    plan.apertures = planApertures(scene, plan.air || !lenses.empty() ? plan.lit : onSurfaces, settings);
+    plan.apertures =
+        planApertures(scene, plan.air || !lenses.empty() ? plan.lit : onSurfaces, plan.shapes, settings);
     for (const int beam : plan.apertures.leftOut) {
         const auto index = static_cast<std::size_t>(beam);
         plan.shapes[index] = shapeOf(scene.beams[index], webs, false);

@@ -146,6 +146,18 @@ std::vector<std::uint8_t> tetrahedronGlb(const Corners& corners = {
     return glb;
 }
 
+render::Scene sceneOf(const fixtures::FixtureState& state, MeshesOnly& assets) {
+    Rig rig(assets);
+    render::Scene scene;
+    rig.append(state, scene);
+    return scene;
+}
+
+/// Where the scene's first body has a vertex.
+glm::dvec3 placeOf(const render::Vertex& vertex, const render::Scene& scene) {
+    return glm::dvec3(scene.instances[0].worldFromMesh * glm::dvec4(vertex.positionM, 1.0));
+}
+
 // Whatever units a model has, its bounds are as long, wide and high as the fixture says.
 TEST(RigBodies, ModelsHaveTheSizeThatTheFixtureSays) {
     fixtures::Model model;
@@ -154,14 +166,12 @@ TEST(RigBodies, ModelsHaveTheSizeThatTheFixtureSays) {
     fixtures::FixtureState state;
     state.parts = {{glm::translate(glm::dmat4(1.0), {5.0, 0.0, 0.0}), &model}, {glm::dmat4(1.0), &model}};
     MeshesOnly assets;
-    Rig rig(assets);
-    render::Scene scene;
-    rig.append(state, scene);
+    const render::Scene scene = sceneOf(state, assets);
     ASSERT_EQ(assets.meshes.size(), 1u);
     ASSERT_EQ(scene.instances.size(), 2u);
     glm::dvec3 low(1e9), high(-1e9);
     for (const render::Vertex& vertex : assets.meshes[0].vertices) {
-        const glm::dvec3 place(scene.instances[0].worldFromMesh * glm::dvec4(vertex.positionM, 1.0));
+        const glm::dvec3 place = placeOf(vertex, scene);
         low = glm::min(low, place);
         high = glm::max(high, place);
     }
@@ -180,12 +190,10 @@ TEST(RigBodies, FlatModelsStayInPlace) {
     fixtures::FixtureState state;
     state.parts = {{glm::dmat4(1.0), &model}};
     MeshesOnly assets;
-    Rig rig(assets);
-    render::Scene scene;
-    rig.append(state, scene);
+    const render::Scene scene = sceneOf(state, assets);
     ASSERT_EQ(assets.meshes.size(), 1u);
     for (const render::Vertex& vertex : assets.meshes[0].vertices) {
-        const glm::dvec3 place(scene.instances[0].worldFromMesh * glm::dvec4(vertex.positionM, 1.0));
+        const glm::dvec3 place = placeOf(vertex, scene);
         EXPECT_NEAR(place.z, 0.01 * 0.5 / 4.0, 1e-6);
     }
 }
@@ -198,9 +206,7 @@ TEST(RigBodies, ABrokenModelIsAPlainShape) {
     fixtures::FixtureState state;
     state.parts = {{glm::dmat4(1.0), &model}};
     MeshesOnly assets;
-    Rig rig(assets);
-    render::Scene scene;
-    rig.append(state, scene);
+    const render::Scene scene = sceneOf(state, assets);
     EXPECT_EQ(scene.instances.size(), 1u);
     EXPECT_EQ(assets.meshes.at(0).vertices.size(), render::makeBox().vertices.size());
 }
